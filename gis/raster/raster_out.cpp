@@ -341,22 +341,6 @@ void write_geotiff(const std::string& path, const std::vector<RasterBand>& bands
     write_cog(path, dataset.get(), "AVERAGE", "FLOATING_POINT");
 }
 
-void write_ascii_grid(const std::string& path, const Raster& raster) {
-    const GdalSession session;
-    const GdalDataset dataset = in_memory(path, raster.grid, file_values(raster));
-    const NoSideFiles quiet;
-    CPLStringList options;
-    options.SetNameValue("SIGNIFICANT_DIGITS", "6");
-    const MemoryFolder memory;
-    {
-        const GdalDataset written(GDALCreateCopy(GDALGetDriverByName("AAIGrid"), memory.place_of(path).c_str(),
-                                                 dataset.get(), TRUE, options.List(), nullptr, nullptr));
-        if (!written) session.refuse_written("the raster", path);
-    }
-    if (session.failed()) session.refuse_written("the raster", path);
-    memory.write_to_disk(path);
-}
-
 void write_class_geotiff(const std::string& path, const Raster& raster, const std::vector<ClassEntry>& classes,
                          const BandText& text) {
     const GdalSession session;

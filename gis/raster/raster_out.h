@@ -65,10 +65,6 @@ struct RasterBand {
 /// The same with several bands, all on one grid and alike in zero_elsewhere.
 void write_geotiff(const std::string& path, const std::vector<RasterBand>& bands);
 
-/// Writes an ESRI ASCII grid (.asc, and .prj if there is a CRS), six significant digits, nodata -9999: for programs
-/// that do not read GeoTIFF. Throws Error(environment).
-void write_ascii_grid(const std::string& path, const Raster& raster);
-
 /// One class of a classified raster.
 struct ClassEntry {
     std::uint8_t value = 0;  ///< 1 to 254

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "core/error.h"
-#include "core/files.h"
 #include "core/module.h"
 
 namespace frana::render {
@@ -17,14 +16,6 @@ namespace frana::render {
 const VtkFunctions& vtk() {
     static const auto& functions = module_table<VtkFunctions>("vtk");
     return functions;
-}
-
-void write_vtk_points(const std::string& path, const PointTable& table, const std::vector<double>& heights,
-                      double time) {
-    FileAside file(path);
-    call_module([&] { vtk().write_points(file.partial_path(), path, table, heights, time); });
-    file.sync_to_disk();
-    file.rename_into_place();
 }
 
 std::vector<Polyline> dashed(std::span<const Point> points, const std::vector<double>& dashes) {

@@ -8,7 +8,6 @@
 
 #include "core/colour.h"
 #include "core/geometry.h"
-#include "core/point_table.h"
 #include "render/canvas/image.h"
 #include "render/canvas/map_layout.h"
 #include "render/vtk/functions.h"
@@ -18,12 +17,6 @@ namespace frana::render {
 /// Loads VTK and OSMesa when it is first called, which takes longer than the start of the program and what `check`
 /// does. Throws Error(environment) if that is not possible.
 const VtkFunctions& vtk();
-
-/// Writes VTK XML polydata (.vtp, compressed): one vertex per point, the table's columns as point data, and the time as
-/// field data "TimeValue". Written aside and renamed. Throws Error(environment).
-/// @param heights z of the points [m], one per point
-void write_vtk_points(const std::string& path, const PointTable& table, const std::vector<double>& heights,
-                      double time);
 
 /// Returns the strokes of a dashed line; `dashes` are lengths of stroke, gap, stroke, gap... in the line's unit.
 std::vector<Polyline> dashed(std::span<const Point> points, const std::vector<double>& dashes);

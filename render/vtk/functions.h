@@ -3,11 +3,9 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "core/colour.h"
-#include "core/point_table.h"
 
 namespace frana::render {
 
@@ -66,9 +64,6 @@ struct VtkFunctions {
     std::vector<std::uint8_t> (*draw_triangles)(const Triangles& triangles, const PixelWindow& window);
     /// The first surface has the texture.
     std::unique_ptr<TerrainScene> (*terrain_scene)(const std::vector<SceneSurface>& surfaces, int width, int height);
-    /// Writes an XML polydata file; `name` for messages.
-    void (*write_points)(const std::string& file, const std::string& name, const PointTable& table,
-                         const std::vector<double>& heights, double time);
 };
 
 }  // namespace frana::render

@@ -9,8 +9,6 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -24,47 +22,9 @@
 #include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkXMLPolyDataWriter.h"
 
 namespace frana::render {
 namespace {
-
-vtkNew<vtkDoubleArray> named_array(const std::string& name, const std::vector<double>& values) {
-    vtkNew<vtkDoubleArray> array;
-    array->SetName(name.c_str());
-    array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-    std::copy(values.begin(), values.end(), array->GetPointer(0));
-    return array;
-}
-
-/// See VtkFunctions.
-void write_points(const std::string& file, const std::string& name, const PointTable& table,
-                  const std::vector<double>& heights, double time) {
-    VtkErrors errors;
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();  // map coordinates need all digits
-    vtkNew<vtkCellArray> vertices;
-    for (std::size_t p = 0; p < table.places.size(); ++p) {
-        const vtkIdType id = points->InsertNextPoint(table.places[p].x, table.places[p].y, heights[p]);
-        vertices->InsertNextCell(1, &id);
-    }
-    vtkNew<vtkPolyData> data;
-    data->SetPoints(points);
-    data->SetVerts(vertices);
-    for (const PointTable::Column& column : table.columns)
-        data->GetPointData()->AddArray(named_array(column.name, column.values));
-    data->GetFieldData()->AddArray(named_array("TimeValue", {time}));
-
-    vtkNew<vtkXMLPolyDataWriter> writer;
-    writer->SetFileName(file.c_str());
-    writer->SetInputData(data);
-    const bool written = writer->Write() == 1;
-    errors.throw_if_any("the file of particles cannot be written: " + name);
-    if (!written) {
-        throw ModuleFailure({"the file of particles cannot be written", name, "", "",
-                             "Check that the folder may be written and has free space"});
-    }
-}
 
 /// Three samples per pixel, averaged: smooth edges with the memory of one picture.
 constexpr std::array<std::array<double, 2>, 3> k_samples{{{-1.0 / 3, 0}, {0, 1.0 / 3}, {1.0 / 3, -1.0 / 3}}};
@@ -308,6 +268,5 @@ std::vector<std::uint8_t> draw_triangles(const Triangles& triangles, const Pixel
 }  // namespace
 }  // namespace frana::render
 
-FRANA_MODULE(frana::render::VtkFunctions, {.draw_triangles = frana::render::draw_triangles,
-                                           .terrain_scene = frana::render::terrain_scene,
-                                           .write_points = frana::render::write_points})
+FRANA_MODULE(frana::render::VtkFunctions,
+             {.draw_triangles = frana::render::draw_triangles, .terrain_scene = frana::render::terrain_scene})

@@ -21,7 +21,6 @@ int dispatch(Arguments words) {
         return static_cast<int>(ExitCode::input);
     }
     if (words.front() == "help" && words.size() > 1) words = {words[1], "--help"};
-    if (words.front() == "completion") words.front() = "complete";  // as users' start files may still call it
     const std::string& name = words.front();
     if (name == "--help" || name == "-h" || name == "help") {
         std::cout << folded(help_text(), output_width());
@@ -31,6 +30,10 @@ int dispatch(Arguments words) {
         std::cout << k_program << ' ' << k_version << '\n' << library_versions();
         return static_cast<int>(ExitCode::done);
     }
+    if (name == "complete" || name == "completion" || name == "man")
+        throw Error(ErrorKind::input, Problem{"is no longer a command", "command line", name, "",
+                                              "Completion of the shell and manual pages are installed with frana; "
+                                              "`frana COMMAND --help` tells the same"});
     std::vector<std::string> names;
     for (const Command& command : commands()) {
         if (name == command.name) {

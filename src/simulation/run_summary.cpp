@@ -140,21 +140,10 @@ std::string title_in(const RunValue& value, const Words& words) {
     return place ? words(place->first, {place->second}) : words(value.title);
 }
 
-namespace {
-
-Raster part_inside(Raster raster, const Raster& inside) {
-    for (std::size_t i = 0; i < inside.values.size(); ++i)
-        if (inside.values[i] == 0) raster.values[i] = k_no_data;
-    return raster;
-}
-
-}  // namespace
-
-RunStatistics run_statistics(const RunResult& result, double threshold, const Raster& inside) {
-    const Raster depth = part_inside(result.raster("max_depth"), inside);
+RunStatistics run_statistics(const RunResult& result, double threshold) {
+    const Raster& depth = result.raster("max_depth");
     const Raster trace = trace_mask(depth, threshold);
-    return {high_values(depth, trace), high_values(part_inside(result.raster("max_velocity"), inside), trace),
-            masked_area(trace),
+    return {high_values(depth, trace), high_values(result.raster("max_velocity"), trace), masked_area(trace),
             runouts(separate_flows(result), result.raster("bed"), result.raster("release"), trace).front().horizontal_m,
             result.volume_final > 0 ? result.volume_shown / result.volume_final : k_no_data};
 }

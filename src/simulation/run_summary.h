@@ -94,8 +94,7 @@ constexpr bool is_reported(const RunStatistic& statistic) {
 }
 
 /// @param threshold depth from which a cell belongs to the covered area [m]
-/// @param inside on the result's grid: 0 excludes a cell; empty: none is excluded
-RunStatistics run_statistics(const RunResult& result, double threshold, const Raster& inside = {});
+RunStatistics run_statistics(const RunResult& result, double threshold);
 
 /// Returns the flows of a result that never met.
 SeparateFlows separate_flows(const RunResult& result);

@@ -72,7 +72,7 @@ TEST_F(HostileNames, BytesThatAreNotUtf8) {
         fs::copy(path(file), path(folder + "/" + file));
     write(folder + "/scene.ini", read_text(path("scene.ini")) +
                                      "frame-interval = 2\n[output]\nmaps = max_depth\nmap-size = 640x480\n"
-                                     "map-formats = png, pdf, tif\nanimation = off\nformats = netcdf, zarr\n"
+                                     "map-formats = png, pdf, tif\nanimation = off\n"
                                      "[scar]\nperimeter = perimeter.geojson\n");
     const Outcome outcome = run(folder + "/scene.ini");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -80,8 +80,7 @@ TEST_F(HostileNames, BytesThatAreNotUtf8) {
     for (const std::string& file : files()) {
         const std::string name = fs::path(file).filename();
         const bool text = name.ends_with(".json") || name.ends_with(".html") || name.ends_with(".csv") ||
-                          name == "log.txt" || name.starts_with(".z") || name.ends_with(".qml") ||
-                          name.ends_with(".sld");
+                          name == "log.txt" || name.ends_with(".qml") || name.ends_with(".sld");
         if (!file.starts_with("result/") || !text) continue;
         EXPECT_TRUE(is_utf8(read_text(path(file)))) << file;
     }

@@ -23,7 +23,7 @@ TEST_F(OnDisk, IsEveryFileOfAResultBeforeItHasItsName) {
     if (!can_watch_calls()) GTEST_SKIP() << "this system does not let a program's calls be watched (seccomp)";
     restore("inputs");
     const Ending ending = run({{"run", "in/scene.ini", "--out", "out/r", "--set",
-                                "output.formats=geotiff, particles-vtp", "--set", "output.animation=on"}},
+                                "output.formats=geotiff, particles-gpkg", "--set", "output.animation=on"}},
                               {}, [](const SystemCall&) { return Answer{}; });
     ASSERT_EQ(ending.exit_code, 0) << ending.err;
     const auto takes_name = [](const SystemCall& call) {

@@ -38,11 +38,6 @@ bool is_result(const std::string& path) {
 
 }  // namespace
 
-// A copy of files written but not listed when the program was killed, of damaged files, and of unreadable ones.
-bool is_kept_copy(const std::string& difference) {
-    return difference.rfind("new: ", 0) == 0 && difference.find(".kept-") != std::string::npos;
-}
-
 bool is_users(const std::string& path) {
     static const std::vector<std::string> k_files = users_files();
     return path.rfind("in/", 0) == 0 || std::any_of(k_files.begin(), k_files.end(), [&](const auto& file) {
@@ -150,8 +145,6 @@ std::vector<TriedCommand> TrialGround::commands() {
                                             "--quiet",  "--set",        "time.end=1"};
     std::vector<std::string> converge_again = converge;
     converge_again.emplace_back("--overwrite");
-    const std::vector<std::string> robustness{"bench",   "robustness", "in/scene.ini", "--out",  "out/tried",
-                                              "--quiet", "--set",      "time.end=1",   "--case", "turned-90"};
     const std::vector<std::string> new_scene{
         "new", "in/dtm.asc", "in/perimeter.geojson", "--out", "out/mine.ini", "--thickness", "2"};
     std::vector<std::string> new_again = new_scene;
@@ -172,7 +165,6 @@ std::vector<TriedCommand> TrialGround::commands() {
         {"render", "older", render, render, false},
         {"compare", "older", compare, compare, false},
         {"converge", "inputs", converge, converge_again, false},
-        {"bench robustness", "inputs", robustness, robustness, false},
         {"ensemble", "inputs", ensemble, ensemble_with({"--resume"})},
         {"ensemble --overwrite", "older alone", ensemble_with({"--overwrite"}),
          ensemble_with({"--overwrite", "--resume"})},
@@ -215,7 +207,6 @@ void TrialGround::expect_old_or_new(const TriedCommand& command, const Ending& e
     if (differences(before, found).empty()) return;
     if (ending.exit_code > 128) return;  // stopped: the files until then are published
     std::vector<std::string> wrong = differences(after, found);
-    std::erase_if(wrong, is_kept_copy);
     if (ending.exit_code == 4)
         std::erase_if(wrong, [](const auto& text) { return text.rfind("missing: ", 0) == 0 && is_picture(text); });
     EXPECT_TRUE(wrong.empty()) << "neither the older result nor the new one, which would differ so:\n"
@@ -231,7 +222,6 @@ void TrialGround::expect_nothing_lost(const TriedCommand& command, const Ending&
     expect_old_or_new(command, ending, now);
     if (ending.exit_code != 0) return;
     std::vector<std::string> wrong = differences(command.after, now);
-    std::erase_if(wrong, is_kept_copy);
     if (by == Disturbance::removal) {
         const auto is_new = [](const auto& text) { return text.rfind("new: ", 0) == 0; };
         // Files that remain in a result remain in its list too.
@@ -249,7 +239,6 @@ void TrialGround::expect_repaired(const TriedCommand& command) const {
     const Ending ending = run(command.again);
     EXPECT_EQ(ending.exit_code, 0) << "the same again: " << ending.err;
     std::vector<std::string> wrong = differences(command.after, state());
-    std::erase_if(wrong, is_kept_copy);
     EXPECT_TRUE(wrong.empty()) << "the same again does not end in the same:\n" << in_lines(wrong) << ending.err;
 }
 

@@ -66,9 +66,6 @@ class TrialGround : public TinyScene {
 /// hundreds of times.
 SystemCall random_call(const std::vector<SystemCall>& calls, RandomNumbers& random);
 
-/// Returns whether a difference (see differences()) is a copy that was kept because it may belong to the user.
-bool is_kept_copy(const std::string& difference);
-
 /// Checks exit code, end in time, and message for any call of the program.
 void expect_decent_end(const Ending& ending, Disturbance by = Disturbance::error);
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "simulation/placed_scene.h"
+#include "placed_scene.h"
 
 namespace frana::test {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Changes that must not affect a flow: the position of its map, its orientation, the extent of the map beyond it.
 #include "moved_scene.h"
+#include "placed_scene.h"
 #include "scene_tests.h"
-#include "simulation/placed_scene.h"
 
 namespace frana::test {
 namespace {

@@ -25,7 +25,7 @@ void leave_out_times(Json& manifest) {
     for (Json& file : manifest["files"]) {
         const std::string name = file["name"];
         if (name.ends_with(".gpkg") || name == "log.txt" || name == "summary.json" || name == "report.html" ||
-            name == "convergence.csv" || name == "robustness.csv" || name == "members.csv" || name == "records.frana")
+            name == "convergence.csv" || name == "members.csv" || name == "records.frana")
             file = {{"name", name}};
     }
 }
@@ -77,7 +77,7 @@ std::string lasting_bytes(const std::string& file) {
     const std::string name = std::filesystem::path(file).filename().string(), bytes = read_text(file);
     if (name == "summary.json") return without(bytes, leave_out_cost);
     if (name == "manifest.json") return without(bytes, leave_out_times);
-    if (name == "convergence.csv" || name == "robustness.csv" || name == "members.csv") return without_seconds(bytes);
+    if (name == "convergence.csv" || name == "members.csv") return without_seconds(bytes);
     if (name == "log.txt" || name == "report.html") return bytes.empty() ? "" : "some text";
     if (name == "records.frana") return std::to_string(bytes.size());  // each member has the time that it took
     return name.ends_with(".gpkg") ? without_dates(bytes) : bytes;

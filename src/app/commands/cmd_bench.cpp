@@ -15,34 +15,20 @@ namespace frana::app {
 
 CommandForm bench_form() {
     CommandForm form{
-        "frana bench accuracy|stability|speed [options]\n"
-        "       frana bench robustness|estimate SCENE.ini [options]\n"
-        "       frana bench ensemble STUDY.ini [options]",
+        "frana bench accuracy|stability|speed [options]",
         "Measures frana itself. accuracy: cases with exact solutions, every scheme, several resolutions.\nstability: "
         "hard cases. speed: particle-steps per second. Prints the table; with --out also writes\naccuracy.csv and "
-        "accuracy.png, stability.csv or speed.csv,\nspeed_stages.csv, speed_terms.csv, law_costs.csv and "
-        "speed.png.\naccuracy takes some ten minutes, with --quick under a minute.\nrobustness: change of a scene's "
-        "results with its grid shifted and rotated, with rough ground, with other\nnumbers of particles and Courant "
-        "numbers. robustness.csv, robustness.json. It takes as long as some twenty\nruns without pictures.\nestimate: "
-        "what "
-        "numerics.accuracy would estimate on each of its levels, and the true change against the scene's own "
-        "cells.\nestimate.csv. It takes a fifth more than the scene.\nensemble: error of the probabilities of a study "
-        "against time, for plain, Latin hypercube, Sobol' and multilevel\nsampling, against a large reference. "
-        "ensemble.csv, ensemble.png. It takes as long as some six thousand members,\nwith --quick a thousand.",
-        "accuracy|stability|speed|robustness SCENE.ini|estimate SCENE.ini|ensemble STUDY.ini",
+        "accuracy.png, stability.csv, or speed.csv and speed.png.\naccuracy takes some ten minutes, with --quick under "
+        "a minute.",
+        "accuracy|stability|speed",
         {}};
     form.repeats = true;
     form.options.add_options()("out", one("FOLDER"), "folder for the files")(
-        "quick", "accuracy: two resolutions; speed: at most a million particles; ensemble: few members")(
-        "case", many("CASE"), "accuracy, stability, robustness: only this case (may be repeated)")(
-        "set", many("KEY=VALUE"), "robustness, estimate: section.key=value, overrides the scene; repeatable")(
-        "seed", one("N"), "robustness: seed of the noise on the ground (default 1)")(
-        "quiet,q", "robustness, estimate: no progress on the terminal")(
+        "quick", "accuracy: two resolutions; speed: at most a million particles")(
+        "case", many("CASE"), "accuracy, stability: only this case (may be repeated)")(
         "json", "print one JSON document for scripts instead (share/doc/scripts.md)")(
         "threads", one("N"),
-        "stability, robustness, estimate: threads of a run; speed: maximum number of threads (default: all; accuracy "
-        "always uses "
-        "one)");
+        "stability: threads of a run; speed: maximum number of threads (default: all; accuracy always uses one)");
     return form;
 }
 

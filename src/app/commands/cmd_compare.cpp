@@ -299,7 +299,7 @@ Comparison compare_into(Simulated& simulated, const std::string& folder, RunLog&
 /// Adds the comparison to the QGIS project of a result that has one.
 void renew_project(const std::string& folder) {
     const std::string project = (fs::path(folder) / k_project_file).string();
-    if (!fs::exists(project)) return;
+    if (!fs::exists(project) || !changed_files({project}).empty()) return;  // QGIS may have saved it
     const ResultReader result(folder);
     begin_own(folder, {project});
     const std::string name = fs::absolute(result.directory()).lexically_normal().filename().string();
@@ -319,7 +319,7 @@ std::vector<std::string> existing(const std::vector<std::string>& files) {
 void add_report(const std::string& folder, bool renewed, RunLog& log, std::vector<std::string>& files) {
     const std::string report = (fs::path(folder) / k_report_file).string();
     if (!renewed)
-        log.warn(worded("report.html is of an older frana and stays without this comparison; run the scene again"));
+        log.warn(worded("report.html was changed, or is of an older frana, and stays without this comparison"));
     else if (fs::exists(report))
         files.push_back(report);
 }

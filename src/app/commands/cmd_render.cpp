@@ -303,6 +303,17 @@ std::vector<std::string> own_result(const ResultReader& result) {
     return result.under_way() ? std::vector<std::string>{} : std::vector<std::string>{result.directory()};
 }
 
+/// Pictures of a longer animation would remain among those of this one.
+void refuse_other_pictures(const std::string& folder, const std::vector<std::string>& files, Problems& problems) {
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+        if (is_animation_picture(entry.path().filename().string()) &&
+            std::none_of(files.begin(), files.end(),
+                         [&](const std::string& file) { return fs::path(file).filename() == entry.path().filename(); }))
+            problems.add({"is a picture of another animation, and would remain", "--animation", entry.path().string(),
+                          "", "Choose another folder, or remove its pictures"});
+}
+
 void render_animation(const ResultReader& result, const MapSource& source, const Request& request, Size size,
                       KeptFiles& kept) {
     AnimationRequest animation{
@@ -323,8 +334,8 @@ void render_animation(const ResultReader& result, const MapSource& source, const
     const std::vector<std::string> files = animation_files(*request.animation, animation.first.frames.size());
     const fs::path parent = fs::path(*request.animation).parent_path();
     const std::string folder = parent.empty() ? "." : parent.string();
+    if (request.animation->ends_with('/')) refuse_other_pictures(folder, files, problems);
     prepare_place({folder, "--animation", own_result(result)}, files, kept, problems);
-    if (request.animation->ends_with('/')) clear_own(folder, files, is_animation_picture);
     write_animation(animation, *request.animation);
     record_files(files);
     std::cout << *request.animation << '\n';

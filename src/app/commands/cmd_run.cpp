@@ -27,6 +27,7 @@
 #include "app/study/plan/read_study.h"
 #include "app/text/number_text.h"
 #include "app/text/version.h"
+#include "params/keys/output_parameters.h"
 #include "simulation/run_check.h"
 #include "simulation/run_summary.h"
 #include "simulation/scene.h"
@@ -216,7 +217,7 @@ void log_run(const RunResult& result, double end, RunLog& log) {
 // Computes and writes; returns the exit code.
 int run_into(const RunInput& input, CheckpointFile* from, ResultDirectory& directory, RunLog& log) {
     const Prepared& prepared = input.prepared;
-    const ParticleFormats particles = particle_formats(prepared.spec.output.formats);
+    const bool particles = writes_particles(prepared.spec.output);
     FrameWriter frames(directory.path(k_frame_folder), provenance(prepared), particles,
                        from != nullptr ? from->head().frame_times : std::vector<double>{},
                        from != nullptr ? from->head().frame_records : std::vector<FrameRecord>{});
@@ -228,7 +229,7 @@ int run_into(const RunInput& input, CheckpointFile* from, ResultDirectory& direc
                             input.since_start, input.earlier_seconds,
                             input.accuracy ? record_text(*input.accuracy) : "", log);
     ProgressReporter progress(input.quiet, input.json_progress);
-    RunOptions options = run_options(input.threads, written_frames, particles.any(), progress, checkpoints, log);
+    RunOptions options = run_options(input.threads, written_frames, particles, progress, checkpoints, log);
     if (from != nullptr) {
         options.saved = &from->state();
         add_waiting(*from, prepared.scene.grid, frames);

@@ -126,12 +126,11 @@ std::int64_t extended_samples(const study::StudySpec& study, const std::string& 
     const std::string all = std::to_string(static_cast<std::int64_t>(members > 0 ? members : study.samples) + *count),
                       anew = "run the study anew with study.samples = " + all + " and --overwrite";
     if (!study.is_extensible())
-        refuse(study.levels          ? "a study with levels shares out one budget, and has no members to add"
-               : study.per_polygon() ? "each polygon is a member, and there are no others"
+        refuse(study.per_polygon() ? "each polygon is a member, and there are no others"
                : study.sampling == study::Sampling::table
                    ? "the table gives all members"
                    : "a design of sampling = " + name_of(study.sampling) + " is made for its number of members",
-               "sampling = sobol or random, without levels",
+               "sampling = sobol or random",
                study.per_polygon() || study.sampling == study::Sampling::table
                    ? "Add to the layer or the table and run the study anew with --overwrite"
                    : "To keep the design, " + anew + "; with sampling = sobol members can be added later");
@@ -185,7 +184,7 @@ struct MembersRun {
     int stopped_by = 0;        ///< a signal
 };
 
-/// Runs the members below `end` with a runner of their own: a multilevel study's table grows.
+/// Runs the members below `end` with a runner of their own: importance sampling's table grows.
 bool run_until(const study::StudyInput& input, const study::RunSetting& setting, std::size_t end, MembersRun& ran) {
     study::MemberRunner runner(input, setting.folder, setting.threads, setting.quiet, setting.ranks);
     const bool complete = runner.run_until(end);
@@ -206,38 +205,6 @@ MembersRun run_members(const study::StudyInput& input, const study::RunSetting& 
         if (!run_until(input, setting, end, ran) || end == all || is_exact_enough(input, setting.folder, end))
             return ran;
     }
-}
-
-/// Tells what levels gain, as the runs so far say.
-void tell_gain(const study::StudyInput& input, const std::string& folder, std::size_t members, RunLog& log) {
-    constexpr double k_of_sobol = 0.5;  // usual error of `sobol` over that of independent members: ensembles.md
-    const study::StudyResult result = study::read_study_result(input, folder, members);
-    const double error = study::error_of_levels(study::level_summaries(input, result));
-    if (std::isnan(error)) return;  // no cell in which runs differ
-    if (!(error > k_of_sobol)) {
-        log.note("levels: standard error " + number_text(error, 2) +
-                 " of that of independent members on the scene's own cells at the same cost, as the pilot tells");
-        return;
-    }
-    log.warn(
-        worded("Levels gain nothing: at the same cost their standard error is {1} of that of independent members on "
-               "the scene's own cells, as the pilot tells, and sampling = sobol without study.levels usually has "
-               "{2} of it",
-               {numeral(number_text(error, 2)), numeral(number_text(k_of_sobol, 2))}));
-}
-
-MembersRun run_level_members(study::StudyInput& input, const study::RunSetting& setting, RunLog& log) {
-    MembersRun ran;
-    bool told = false;
-    const bool has_limit = input.reading.study.until.has_value();
-    study::run_levels(
-        input, setting.folder, [&](std::size_t end) { return run_until(input, setting, end, ran); },
-        [&](std::size_t members) {
-            if (!std::exchange(told, true)) tell_gain(input, setting.folder, members, log);
-            return has_limit && is_exact_enough(input, setting.folder, members);
-        });
-    ran.members = input.table.size();
-    return ran;
 }
 
 /// A study of many runs of one scene, or a region of many slopes.
@@ -268,9 +235,8 @@ struct ManyRuns {
     static void load_drawing(const Input& input) { study::load_study_drawing(input, Loading::now); }
     static std::span<const study::StudyInput> studies(const Input& input) { return {&input, 1}; }
 
-    static MembersRun run(Input& input, const study::RunSetting& setting, RunLog& log) {
-        if (input.table.parts.empty())
-            return input.level_draws.empty() ? run_members(input, setting) : run_level_members(input, setting, log);
+    static MembersRun run(Input& input, const study::RunSetting& setting, RunLog&) {
+        if (input.table.parts.empty()) return run_members(input, setting);
         MembersRun ran;
         study::run_importance(input, setting.folder,
                               [&](std::size_t end) { return run_until(input, setting, end, ran); });

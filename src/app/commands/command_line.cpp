@@ -7,21 +7,17 @@
 #include <boost/program_options/parsers.hpp>
 #include <boost/program_options/positional_options.hpp>
 #include <boost/program_options/value_semantic.hpp>
-#include <cctype>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
 
-#include "app/input/share_directory.h"
 #include "app/process/terminal.h"
 #include "app/text/text_table.h"
 #include "app/text/version.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "params/grammar/value_text.h"
-#include "params/keys/materials.h"
-#include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
 
 namespace frana::app {
@@ -44,19 +40,10 @@ const std::vector<Command>& commands() {
          cmd_batch, true},
         {"calibrate", "values that explain surveyed events, and how uncertain they stay", calibrate_form, cmd_calibrate,
          true},
-        {"bench", "tests of frana: exact solutions, hard cases, throughput, changes of a scene's grid", bench_form,
-         cmd_bench},
+        {"bench", "tests of frana: exact solutions, hard cases, throughput", bench_form, cmd_bench},
         {"qgis-plugin", "put the plugin into a profile of QGIS, or remove it", qgis_plugin_form, cmd_qgis_plugin},
-        {"complete", "completion of commands, options, keys and values for a shell", complete_form, cmd_complete},
-        {"man", "the manual pages", man_form, cmd_man},
     };
     return list;
-}
-
-const Command* find_command(const std::string& name) {
-    for (const Command& command : commands())
-        if (name == command.name) return &command;
-    return nullptr;
 }
 
 std::string help_text() {
@@ -193,24 +180,6 @@ std::optional<double> threshold_option(const options::variables_map& values) {
         throw Error(ErrorKind::input, Problem{"is not a depth", "--threshold", *text, key.limits + " " + key.unit, ""});
     }
     return metres;
-}
-
-std::vector<OptionRow> option_rows(const CommandForm& form) {
-    std::vector<OptionRow> rows;
-    for (const auto& option : form.options.options()) {
-        OptionRow row{"--" + option->long_name(), "", "", option->description()};
-        const std::string brief = option->canonical_display_name(options::command_line_style::allow_dash_for_short);
-        if (brief.size() == 2 && brief.front() == '-') row.brief = brief;
-        if (option->semantic()->max_tokens() > 0) {
-            row.value = option->semantic()->name();
-            // Boost adds the default: "N (=3)".
-            row.value = row.value.substr(0, row.value.find(" (="));
-        }
-        rows.push_back(std::move(row));
-    }
-    rows.push_back({"--allow-network", "", "", "inputs may be URLs, databases and map services"});
-    rows.push_back({"--help", "-h", "", "print the help of the command"});
-    return rows;
 }
 
 namespace {

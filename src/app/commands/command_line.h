@@ -21,7 +21,8 @@ enum class ExitCode { done = 0, input = 2, numerical = 3, environment = 4, signa
 using Arguments = std::vector<std::string>;
 struct CommandForm;
 
-/// A row of the table from which `frana --help`, the dispatch, the completion of shells and the man pages follow.
+/// A row of the table from which `frana --help` and the dispatch follow; share/package/documents.sh makes completion of
+/// shells and manual pages of the help.
 struct Command {
     const char* name;
     const char* summary;    ///< one line
@@ -35,8 +36,6 @@ struct Command {
 
 /// Every command, in the order of the help.
 const std::vector<Command>& commands();
-/// Returns the command of this name; null if there is none.
-const Command* find_command(const std::string& name);
 
 /// The text of `frana --help`.
 std::string help_text();
@@ -73,10 +72,6 @@ CommandForm materials_form();
 int cmd_materials(const Arguments& arguments);
 CommandForm schemes_form();
 int cmd_schemes(const Arguments& arguments);
-CommandForm complete_form();
-int cmd_complete(const Arguments& arguments);
-CommandForm man_form();
-int cmd_man(const Arguments& arguments);
 
 /// One command: the text of `frana COMMAND --help` and the accepted arguments.
 struct CommandForm {
@@ -92,8 +87,7 @@ struct CommandForm {
 inline constexpr const char* k_strict_meaning =
     "exit code 3, after everything is written, if a run was cut, left the ground or failed";
 
-// The value of an option. Its name in the help also says what the shell completes: FILE, FOLDER, KEY=VALUE, MAP,
-// lower-case words ("2d|3d"); of another name nothing.
+/// The value of an option, with its name in the help.
 inline auto* one(const char* name) {
     return boost::program_options::value<std::string>()->value_name(name);
 }
@@ -118,17 +112,6 @@ int thread_count(const boost::program_options::variables_map& values);
 std::optional<Size> size_option(const boost::program_options::variables_map& values);
 /// Returns --threshold in metres, greater than 0. Throws Error(input).
 std::optional<double> threshold_option(const boost::program_options::variables_map& values);
-
-/// An option of a command as completion and man pages show it.
-struct OptionRow {
-    std::string name;   ///< "--quiet"
-    std::string brief;  ///< "-q"; empty: none
-    std::string value;  ///< "FILE"; empty: a flag
-    std::string meaning;
-};
-
-/// Returns the options of a command, with those of every command.
-std::vector<OptionRow> option_rows(const CommandForm& form);
 
 /// Throws Error(input) if the word of a command that takes a result or a raster names a scene.
 inline void refuse_scene(const std::string& operand) {

@@ -15,6 +15,7 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/output_parameters.h"
 #include "params/keys/result_rasters.h"
 #include "simulation/run_summary.h"
 #include "simulation/simulation.h"
@@ -295,7 +296,7 @@ std::int64_t memory_of(const Prepared& prepared, std::int64_t in_use, const RunE
     std::int64_t engine = expected.memory_bytes + steps * k_step_bytes +
                           expected.bytes_of_particles(std::max<std::int64_t>(0, course.particles - expected.particles));
     if (prepared.scene.time.frame_interval > 0) engine += cells * k_frame_cell_bytes;
-    if (prepared.scene.time.frame_interval > 0 && particle_formats(output.formats).any())
+    if (prepared.scene.time.frame_interval > 0 && writes_particles(output))
         engine += course.particles * k_frame_particle_bytes;
     const std::int64_t results = cells * k_result_cell_bytes;
     const bool charts = output.charts && draws_maps(prepared);

@@ -162,21 +162,6 @@ constexpr std::int64_t k_window_bytes = 256'000'000, k_rasters_at_once = 16;
 // Particles split where the flow spreads thin.
 constexpr double k_growth = 2;
 
-/// The levels of a multilevel study with the members of its pilot, which decides how many follow.
-void print_levels(const study::StudyInput& input) {
-    for (std::size_t l = 0; l < input.levels.size(); ++l) {
-        std::size_t pilot = 0;
-        for (const study::SampleTable::LevelRun& run : input.table.level_runs)
-            pilot += run.level == l && !run.is_coarse ? 1 : 0;
-        const double cost = input.levels[l].expected_cost + (l > 0 ? input.levels[l - 1].expected_cost : 0);
-        print_fact("level " + std::to_string(l),
-                   "cells of " + number_text(input.levels[l].cell_size) + " m" +
-                       (l > 0 ? " with those of " + number_text(input.levels[l - 1].cell_size) + " m" : "") + ": " +
-                       std::to_string(pilot) + " members first, each " + number_text(100 * cost, 2) +
-                       " % of a run on the scene's own cells; the others by their variance");
-    }
-}
-
 const char* use_of(study::TableColumn::Use use) {
     switch (use) {
         case study::TableColumn::Use::key:
@@ -214,10 +199,9 @@ void print_study(const study::StudyInput& input, const StudyForecast& forecast, 
         print_fact(one.first, "rank correlation with " + one.second + " " + number_text(one.rho));
     std::printf("\nMembers\n");
     const auto members = input.members();
-    print_fact("members", (input.levels.empty() ? "" : "as much work as ") + std::to_string(members) +
-                              (study.until ? " at most" : "") + ", sampling " + study::name_of(study.sampling) +
+    print_fact("members", std::to_string(members) + (study.until ? " at most" : "") + ", sampling " +
+                              study::name_of(study.sampling) +
                               (study.per_polygon() ? "" : ", seed " + std::to_string(study.seed)));
-    print_levels(input);
     if (const auto& exposed = input.base.extra.exposure)
         print_fact("exposed", grouped(static_cast<double>(exposed->features.size())) + " features");
     print_fact("estimated time", time_text(forecast, members, threads));
@@ -260,9 +244,7 @@ StudyForecast forecast_study(const study::StudyInput& input, int threads, bool w
         k_window_bytes + forecast.member.stored_cells * k_rasters_at_once * static_cast<std::int64_t>(sizeof(double));
     forecast.peak_bytes = resident_memory() + std::max(threads * forecast.worker_bytes, combining);
     const auto released = static_cast<std::int64_t>(base.release.area_m2 / base.scene.grid.cell_area());
-    // A level twice as coarse has at most eight times the members, with a quarter of the cells each.
-    const auto records = input.levels.empty() ? static_cast<std::int64_t>(input.members())
-                                              : input.reading.study.samples << (input.levels.size() - 1);
+    const auto records = static_cast<std::int64_t>(input.members());
     forecast.disk_bytes = records * (k_record_head_bytes + k_record_cell_bytes * k_spread * released);
     forecast.writing = forecast_study_writing(input, forecast.member, forecast.trial, threads);
     if (input.reading.study.is_extensible())  // k_joined_records

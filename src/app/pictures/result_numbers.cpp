@@ -64,7 +64,7 @@ class Row {
 }  // namespace
 
 bool Troubles::are_first() const noexcept {
-    if (on_levels || each_counts) return unfinished() > 0;
+    if (each_counts) return unfinished() > 0;
     return static_cast<double>(unfinished()) > k_many * static_cast<double>(runs);
 }
 
@@ -79,9 +79,6 @@ Sentence headline(const Troubles& t) {
     if (t.held > 0)
         parts.push_back(worded("{1} of {2} runs were held by cells without elevation", {count(t.held), count(t.runs)}));
     if (t.failed > 0) parts.push_back(worded("{1} of {2} runs failed", {count(t.failed), count(t.runs)}));
-    // A sum of differences: what coarser runs of a pair did not reach raises it.
-    if (t.on_levels)
-        return worded("Extent, run-out and probabilities may be too small or too large: {1}", {listed(parts)});
     return worded("Extent, run-out and probabilities are lower bounds: {1}", {listed(parts)});
 }
 
@@ -95,7 +92,6 @@ Json json_of(const Troubles& t) {
             {"flew", t.flew},
             {"lower_bounds", t.open},
             {"each_counts", t.each_counts},
-            {"on_levels", t.on_levels},
             {"greatest_moving_fraction", t.most_moving},
             {"greatest_left_domain_fraction", t.most_left}};
 }
@@ -118,7 +114,6 @@ std::optional<Troubles> troubles_in(const Json& summary) {
     t.most_moving = value_in<double>(summary, "/run_troubles/greatest_moving_fraction").value_or(0);
     t.most_left = value_in<double>(summary, "/run_troubles/greatest_left_domain_fraction").value_or(0);
     t.each_counts = value_in<bool>(summary, "/run_troubles/each_counts").value_or(false);
-    t.on_levels = value_in<bool>(summary, "/run_troubles/on_levels").value_or(false);
     return t;
 }
 

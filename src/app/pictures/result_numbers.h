@@ -26,20 +26,17 @@ struct Troubles {
     double most_moving = 0, most_left = 0;  ///< fractions of the volume, of the runs that were cut, that left
     std::size_t flew = 0;                   ///< over edges, where maps of maxima show nothing below
     bool each_counts = false;               ///< of a region: every slope is somebody's
-    bool on_levels = false;                 ///< of a multilevel study: a coarser run of a pair counts negatively
 
     /// Whether a run was cut, held, left the ground or failed: what --strict makes an error, and the headline tells.
     [[nodiscard]] bool any() const noexcept { return unfinished() > 0; }
-    /// Whether they are so many that the study's first line says so: over 5 %, of a region any, on levels any.
+    /// Whether they are so many that the study's first line says so: over 5 %, of a region any.
     [[nodiscard]] bool are_first() const noexcept;
-    /// Whether the study's numbers are lower bounds: on levels they may be too large as well.
-    [[nodiscard]] bool make_lower_bounds() const noexcept { return unfinished() > 0 && !on_levels; }
     /// Runs whose reach is not known: cut, gone or failed.
     [[nodiscard]] std::size_t unfinished() const noexcept { return open + failed; }
 };
 
 /// "Extent, run-out and probabilities are lower bounds: 12 of 12 runs were cut while they still moved (up to 70
-/// % of the volume); ...", or on levels "... may be too small or too large: ...".
+/// % of the volume); ...".
 Sentence headline(const Troubles& troubles);
 
 /// As `run_troubles` of summary.json, and back; none: an older summary.

@@ -10,7 +10,6 @@
 #include "app/publish/publish_pictures.h"
 #include "app/store/checkpoints.h"
 #include "app/store/manifest.h"
-#include "app/store/own_files.h"
 #include "app/store/result_directory.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
@@ -71,13 +70,13 @@ bool is_changed(const std::string& path, const FileMark& listed) {
 }
 
 // Returns the existing files that differ from those the run wrote; styles may be changed by the user.
-std::vector<std::string> changed_files_of(const Manifest& manifest, const std::string& directory, bool drawn) {
+std::vector<std::string> changed_files_of(const Manifest& manifest, const std::string& directory) {
     std::vector<std::string> changed;
     for (const auto& [name, mark] : manifest.files) {
         const ResultFile* const file = existing_file(name);
         if (file == nullptr || file->kind == FileKind::style || file->kind == FileKind::working) continue;
         const std::string path = (fs::path(directory) / name).string();
-        if (file->is_drawn() == drawn && fs::exists(path) && is_changed(path, mark)) changed.push_back(name);
+        if (fs::exists(path) && is_changed(path, mark)) changed.push_back(name);
     }
     return changed;
 }
@@ -98,38 +97,25 @@ void require_all(const std::vector<std::string>& missing, const std::vector<std:
                       "", remedy});
     if (!changed.empty())
         problems.add(
-            {"files of the result are not as the run wrote them: " + listed(changed), directory, "", "", remedy});
+            {"files of the result are not as the run wrote them: " + listed(changed), directory, "", "",
+             "Restore them, move pictures away to have them drawn again, or compute the scene again elsewhere"});
     problems.throw_if_any();
-}
-
-// Without the list of files the missing ones are unknown.
-Manifest require_list(const std::string& directory) {
-    if (auto manifest = read_manifest(directory)) return std::move(*manifest);
-    throw Error(
-        ErrorKind::input,
-        Problem{"the result's manifest is missing or cannot be read, so that its completeness cannot be checked",
-                (fs::path(directory) / k_manifest_file).string(), "", "",
-                "Restore it, or compute the scene again into another folder"});
 }
 
 }  // namespace
 
 bool is_finished(const std::string& directory) {
     const auto manifest = read_manifest(directory);
-    return manifest ? manifest->finished.value_or(false) : is_unlisted_result(directory);
+    return manifest ? manifest->finished.value_or(false) : false;
 }
 
 bool complete_result(const Prepared& prepared, const std::string& directory, RunLog& log) {
     require_same_scene(prepared, directory);
-    const Manifest manifest = require_list(directory);
+    const Manifest manifest = read_manifest(directory).value();
     const std::vector<std::string> missing = missing_files(manifest, directory),
-                                   changed = changed_files_of(manifest, directory, false);
+                                   changed = changed_files_of(manifest, directory);
     const bool only_report = missing == std::vector<std::string>{k_report_file};
     if (!only_report || !changed.empty()) require_all(missing, changed, directory);
-    std::vector<std::string> damaged;  // or replaced by the user: they get another name, and are drawn again
-    for (const std::string& name : changed_files_of(manifest, directory, true))
-        damaged.push_back((fs::path(directory) / name).string());
-    keep_changed_files(damaged);
     const auto comparison = comparison_of(prepared, directory, log);
     const PictureOutcome pictures = draw_pictures({prepared.spec, directory, comparison, true, std::nullopt}, log);
     record_files(pictures.files);

@@ -299,6 +299,7 @@ bool renew_page(const std::string& folder, const std::function<std::vector<PageP
             return false;
     }
     const bool in_making = std::filesystem::exists(std::filesystem::path(folder) / k_building_file);
+    if (!in_making && !changed_files({path}).empty()) return false;
     if (!in_making) begin_own(folder, {path});
     write_text_file(path, page);
     if (!in_making) record_files({path});

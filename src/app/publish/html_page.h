@@ -38,9 +38,9 @@ struct PagePart {
     bool optional = false;  ///< a page may be without it
 };
 
-/// Replaces parts of report.html of a result, which gets its name when it is complete, and its mark in the manifest. A
-/// page that was changed since is kept under another name. Returns false if there is a report of an older frana,
-/// without these parts, which stays as it is. Throws Error(environment).
+/// Replaces parts of report.html of a result, which gets its name when it is complete, and its mark in the manifest.
+/// Returns false if there is a report that was changed since, or of an older frana without these parts, which stays as
+/// it is. Throws Error(environment).
 /// @param parts in the language of the page
 bool renew_page(const std::string& folder, const std::function<std::vector<PagePart>(const Words&)>& parts);
 

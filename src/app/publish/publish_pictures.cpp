@@ -139,10 +139,10 @@ void draw_animation(const ResultReader& written, const MapSource& source, Drawin
     });
 }
 
-/// Whether a run needs the library that draws pictures and writes tables of particles.
+/// Whether a run needs the library that draws pictures.
 bool draws(const SceneSpec& scene) {
     const OutputSpec& output = scene.output;
-    return output.animation || output.maps.front() != "off" || particle_formats(output.formats).vtp;
+    return output.animation || output.maps.front() != "off";
 }
 
 }  // namespace

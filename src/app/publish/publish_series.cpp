@@ -10,12 +10,9 @@
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
 #include "app/store/vector_layers.h"
-#include "app/text/number_text.h"
 #include "app/text/text_file.h"
 #include "app/text/text_table.h"
 #include "core/text.h"
-#include "gis/raster/frames_out.h"
-#include "gis/raster/raster_in.h"
 #include "gis/raster/raster_out.h"
 #include "gis/raster/styles.h"
 #include "params/keys/output_parameters.h"
@@ -43,11 +40,6 @@ std::string timeseries_csv(const std::vector<SeriesRow>& series) {
 }
 
 namespace {
-
-bool has_format(const SceneSpec& spec, const char* format) {
-    const std::vector<std::string>& formats = spec.output.formats;
-    return std::find(formats.begin(), formats.end(), format) != formats.end();
-}
 
 /// Zero where there is ground but no flow, as in AvaFrame's own files.
 Raster filled(const Raster& values, const Raster& terrain) {
@@ -78,8 +70,7 @@ std::string avaframe_name(const std::string& scene, const std::string& hash) {
 
 }  // namespace
 
-void publish_avaframe(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory,
-                      RunLog& log) {
+void publish_avaframe(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
     if (prepared.spec.output.names != "avaframe") return;
     directory.make_folder(k_peak_folder);
     const auto origin = provenance(prepared);
@@ -87,12 +78,6 @@ void publish_avaframe(const Prepared& prepared, const RunResult& result, const R
         std::string(k_peak_folder) + "/" + avaframe_name(scene_name(prepared.spec), origin.at("SCENE_HASH"));
     const Raster thickness = result.depth_is_normal ? result.raster("max_depth")
                                                     : normal_depth(result.raster("max_depth"), result.raster("bed"));
-    const bool large = result.raster("max_depth").values.is_tiled(), text_files = has_format(prepared.spec, "ascii");
-    if (text_files && large)
-        log.warn(worded(
-            "the AvaFrame rasters are written as GeoTIFF: an ASCII grid would hold all {1} cells of the map, reached "
-            "or not",
-            {numeral(grouped(result.raster("max_depth").grid.cell_count()))}));
     const Raster* const values_of[] = {&result.raster("max_pressure"), &thickness, &result.raster("max_velocity")};
     static_assert(std::size(values_of) == std::size(k_peak_files));
     for (std::size_t i = 0; i < std::size(k_peak_files); ++i) {
@@ -100,27 +85,8 @@ void publish_avaframe(const Prepared& prepared, const RunResult& result, const R
         const Raster& values = *values_of[i];
         const Raster raster = filled(values, prepared.scene.terrain);
         const std::string stem = directory.path(name + "_" + kind);
-        if (text_files && !large)
-            gis::write_ascii_grid(stem + ".asc", raster);
-        else
-            gis::write_geotiff(stem + ".tif", raster, {kind, text, unit, origin});
+        gis::write_geotiff(stem + ".tif", raster, {kind, text, unit, origin});
         write_peak_style(stem + ".tif", raster, k_peak_files[i], prepared.spec.output.classes, words_of(prepared.spec));
-    }
-}
-
-void publish_frame_stacks(const Prepared& prepared, const ResultDirectory& directory) {
-    for (const auto& [word, file, format] : {std::tuple{"netcdf", k_netcdf_file, gis::StackFormat::netcdf},
-                                             std::tuple{"zarr", k_zarr_folder, gis::StackFormat::zarr}}) {
-        if (!has_format(prepared.spec, word)) continue;
-        const std::vector<StoredFrame> frames = stored_frames(directory.path(k_frame_folder));
-        std::vector<double> times;
-        for (const StoredFrame& frame : frames) times.push_back(frame.time);
-        gis::FrameStack stack(directory.path(file), format, prepared.scene.terrain.grid, times, provenance(prepared));
-        for (std::size_t i = 0; i < frames.size(); ++i) {
-            stack.add(i, gis::read_result_raster(frames[i].raster_file("depth")),
-                      gis::read_result_raster(frames[i].raster_file("velocity")));
-        }
-        stack.close();
     }
 }
 

@@ -16,13 +16,9 @@ namespace frana::app {
 std::string timeseries_csv(const std::vector<SeriesRow>& series);
 
 /// Writes peakFiles/ with AvaFrame's names, if output.names requests them: ppr [kPa], pft [m, normal to the slope] and
-/// pfv [m/s], zero where there was no flow, nodata without terrain; of a large map as GeoTIFF whatever the format.
+/// pfv [m/s], zero where there was no flow, nodata without terrain.
 /// Throws Error(environment).
-void publish_avaframe(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory, RunLog& log);
-
-/// Writes frames.nc and frames.zarr, if output.formats requests them, from the frames already written. Throws
-/// Error(environment).
-void publish_frame_stacks(const Prepared& prepared, const ResultDirectory& directory);
+void publish_avaframe(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory);
 
 /// Writes gauges.csv and sections.csv if a scene has them, with gauges.gpkg for their places. Throws
 /// Error(environment).

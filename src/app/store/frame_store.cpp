@@ -21,7 +21,6 @@
 #include "gis/vector/vector_out.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/result_rasters.h"
-#include "render/canvas/canvas.h"
 
 namespace frana::app {
 namespace {
@@ -36,21 +35,15 @@ std::string frame_name(const FrameFile& file, std::size_t index) {
 
 }  // namespace
 
-ParticleFormats particle_formats(const std::vector<std::string>& formats) {
-    const auto has = [&](const char* word) { return std::find(formats.begin(), formats.end(), word) != formats.end(); };
-    return {has("particles-gpkg"), has("particles-vtp")};
-}
-
 std::string frames_of_run(const std::string& result) {
     const fs::path whole = fs::path(result) / k_whole_frames;
     return fs::is_directory(whole) ? whole.string() : (fs::path(result) / k_frame_folder).string();
 }
 
-std::vector<FrameFile> frame_files(const Frame& frame, ParticleFormats formats) {
+std::vector<FrameFile> frame_files(const Frame& frame, bool particles) {
     std::vector<FrameFile> files{k_depth_file, k_velocity_file};
     for (const NamedRaster& raster : frame.more) files.push_back({raster.name, ".tif"});
-    if (formats.gpkg) files.push_back(k_particle_table);
-    if (formats.vtp) files.push_back(k_particle_cloud);
+    if (particles) files.push_back(k_particle_table);
     return files;
 }
 
@@ -64,7 +57,7 @@ std::optional<std::size_t> frame_index(const std::string& name) {
     if (place == std::string::npos) return std::nullopt;
     const std::string ending = fs::path(name).extension().string();
     const auto is_its = [&](const FrameFile& file) { return file.ending == ending; };
-    const std::array<FrameFile, 3> endings{k_depth_file, k_particle_table, k_particle_cloud};
+    const std::array<FrameFile, 2> endings{k_depth_file, k_particle_table};
     if (std::none_of(endings.begin(), endings.end(), is_its) || name.size() < place + 1 + ending.size())
         return std::nullopt;
     const std::string digits = name.substr(place + 1, name.size() - place - 1 - ending.size());
@@ -145,7 +138,7 @@ std::uint64_t bytes_of(const Frame& frame) {
 
 }  // namespace
 
-FrameWriter::FrameWriter(std::string folder, std::map<std::string, std::string> metadata, ParticleFormats particles,
+FrameWriter::FrameWriter(std::string folder, std::map<std::string, std::string> metadata, bool particles,
                          std::vector<double> times, std::vector<FrameRecord> records)
     : folder_(std::move(folder)),
       metadata_(std::move(metadata)),
@@ -192,11 +185,6 @@ void FrameWriter::write(const FrameFile& file, const Job& job) const {
     const PointTable& table = frame.particles;
     if (file.ending == k_particle_table.ending) {
         gis::write_points(path, frame.depth.grid.crs_wkt, "particles", table);
-    } else if (file.ending == k_particle_cloud.ending) {
-        std::vector<double> heights(table.places.size());
-        const std::vector<double>*bed = table.find("bed_m"), *depth = table.find("depth_m");
-        for (std::size_t p = 0; p < heights.size(); ++p) heights[p] = (*bed)[p] + (*depth)[p];
-        render::write_vtk_points(path, table, heights, frame.time);
     } else {
         gis::BandText text = band_text(file.what, metadata_);
         text.metadata["TIME_S"] = shortest_text(frame.time);
@@ -204,23 +192,10 @@ void FrameWriter::write(const FrameFile& file, const Job& job) const {
     }
 }
 
-// Writes ParaView's list of files and their times.
-void FrameWriter::list_particles(const std::vector<double>& times) const {
-    std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        const fs::path file = frame_path(folder_, k_particle_cloud, i);
-        text +=
-            "    <DataSet timestep=\"" + shortest_text(times[i]) + "\" file=\"" + file.filename().string() + "\"/>\n";
-    }
-    write_text_file((fs::path(folder_) / fs::path(k_particle_list).filename()).string(),
-                    text + "  </Collection>\n</VTKFile>\n");
-}
-
 void FrameWriter::list(const std::vector<double>& times) const {
     std::string text = "index,time_s\n";
     for (std::size_t i = 0; i < times.size(); ++i) text += std::to_string(i) + "," + shortest_text(times[i]) + "\n";
     write_text_file(list_file(folder_), text);
-    if (particles_.vtp) list_particles(times);
 }
 
 void FrameWriter::serve() {
@@ -322,13 +297,6 @@ void FrameWriter::cut_to(const CellWindow& window) {
     folder_ = cut.string();
     list(times_);
     folder_ = folder.string();
-    std::vector<fs::path> of_the_user;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-        const std::string name = entry.path().filename().string();
-        if (existing_file(std::string(k_frame_folder) + "/" + name) == nullptr) of_the_user.push_back(name);
-    }
-    for (const fs::path& name : of_the_user)
-        attempt(cut / name, [&](std::error_code& error) { fs::rename(folder / name, cut / name, error); });
     sync_path(cut.string());
     attempt(whole, [&](std::error_code& error) { fs::rename(folder, whole, error); });
     attempt(folder, [&](std::error_code& error) { fs::rename(cut, folder, error); });

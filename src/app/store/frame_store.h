@@ -18,15 +18,6 @@
 
 namespace frana::app {
 
-/// Formats of a frame's particles, if it has any: frames/particles_0000.gpkg, .vtp.
-struct ParticleFormats {
-    bool gpkg = false, vtp = false;
-
-    [[nodiscard]] bool any() const noexcept { return gpkg || vtp; }
-};
-/// Returns those in output.formats.
-ParticleFormats particle_formats(const std::vector<std::string>& formats);
-
 /// Returns the folder in a result with the frames as the run wrote them, which --resume continues: frames.whole where
 /// they were cut, else frames.
 std::string frames_of_run(const std::string& result);
@@ -37,11 +28,11 @@ struct FrameFile {
 };
 
 inline const FrameFile k_depth_file{"depth", ".tif"}, k_velocity_file{"velocity", ".tif"},
-    k_particle_table{"particles", ".gpkg"}, k_particle_cloud{"particles", ".vtp"};
+    k_particle_table{"particles", ".gpkg"};
 
 /// Returns all files of a frame: depth, velocity, those of Frame::more, particles. The one list for writing, searching,
 /// linking and checking frames.
-std::vector<FrameFile> frame_files(const Frame& frame, ParticleFormats formats);
+std::vector<FrameFile> frame_files(const Frame& frame, bool particles);
 
 /// Returns FOLDER/WHAT_0012.ENDING
 std::string frame_path(const std::string& folder, const FrameFile& file, std::size_t index);
@@ -74,7 +65,7 @@ class FrameWriter {
     /// `metadata` is written to every raster.
     /// @param times of existing frames [s]
     /// @param records of their files
-    FrameWriter(std::string folder, std::map<std::string, std::string> metadata, ParticleFormats particles = {},
+    FrameWriter(std::string folder, std::map<std::string, std::string> metadata, bool particles = false,
                 std::vector<double> times = {}, std::vector<FrameRecord> records = {});
     /// Writes the added frames, unless an error occurred.
     ~FrameWriter();
@@ -113,12 +104,11 @@ class FrameWriter {
     void write(const FrameFile& file, const Job& job) const;
     void wait_until_written(std::unique_lock<std::mutex>& lock);
     void list(const std::vector<double>& times) const;
-    void list_particles(const std::vector<double>& times) const;
     void serve();
 
     std::string folder_;
     std::map<std::string, std::string> metadata_;
-    ParticleFormats particles_;
+    bool particles_;
     std::vector<double> times_;
     std::size_t settled_;  // frames known to be on the disk
     std::vector<FrameRecord> records_;

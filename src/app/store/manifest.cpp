@@ -218,13 +218,6 @@ bool is_listed_result(const std::string& folder) {
     return read_manifest(folder).has_value();
 }
 
-bool is_unlisted_result(const std::string& folder) {
-    std::error_code error;
-    if (is_listed_result(folder) || !fs::exists(fs::path(folder) / k_scene_file, error)) return false;
-    const std::optional<Json> summary = read_json_file((fs::path(folder) / k_summary_file).string());
-    return summary && value_in<std::string>(*summary, "/program") == k_program;
-}
-
 void note_in_making(const std::vector<std::string>& paths) {
     for (const auto& [result, files] : by_result(paths, true)) {
         const ManifestLock lock(result.string());

@@ -53,8 +53,6 @@ void write_manifest(const std::string& folder, const Manifest& manifest);
 
 /// Returns whether a folder is a complete result with a list of files.
 bool is_listed_result(const std::string& folder);
-/// Returns whether a folder is the result of an older frana without lists of files: its summary.json names the program.
-bool is_unlisted_result(const std::string& folder);
 
 /// Notes that files will be written, so that those of a killed program are known as frana's; record_files ends it. The
 /// same files and results as there.

@@ -11,7 +11,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -301,39 +300,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Moves a file to the first free of NAME.kept-1.EXTENSION, NAME.kept-2.EXTENSION, ...
-std::error_code move_to_kept(const fs::path& from, fs::path& to) {
-    std::error_code error, ignored;
-    for (int number = 1;; ++number) {
-        to = from.parent_path() / from.stem();
-        to += ".kept-" + std::to_string(number) + from.extension().string();
-        if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return {};
-        error.assign(errno, std::generic_category());
-        const bool is_unknown = error == std::errc::invalid_argument;  // to the file system
-        if (error == std::errc::file_exists || (is_unknown && fs::exists(fs::symlink_status(to, ignored)))) continue;
-        if (is_unknown) fs::rename(from, to, error);
-        return error;
-    }
-}
-
-}  // namespace
-
-void keep_changed_files(const std::vector<std::string>& paths) {
-    for (const std::string& path : changed_files(paths)) {
-        fs::path kept;
-        if (const std::error_code error = move_to_kept(path, kept))
-            throw Error(
-                ErrorKind::environment,
-                Problem{"was changed since frana wrote it, and cannot be kept under another name: " + error.message(),
-                        path, "", "", "Choose another folder with --out"});
-        std::cerr << "frana: " << path << " is not as frana wrote it: kept as " << kept.filename().string() << '\n';
-    }
-}
-
-namespace {
-
-namespace fs = std::filesystem;
-
 bool lists_files(const fs::path& folder) {
     return is_listed_result(folder.string());
 }
@@ -342,7 +308,7 @@ bool lists_files(const fs::path& folder) {
 bool is_result(const fs::path& folder) {
     const std::optional<Manifest> manifest = read_manifest(folder.string());
     if (manifest && !manifest->scene_hash.empty()) return true;
-    return is_being_built(folder.string()) || (!manifest && is_unlisted_result(folder.string()));
+    return is_being_built(folder.string());
 }
 
 /// Returns the nearest folder of a kind, at a path or above it; the path need not exist yet.
@@ -372,25 +338,20 @@ void check_another_result(const std::string& folder, const std::string& where, c
 void check_own(const std::string& folder, const std::vector<std::string>& files, const std::string& where,
                const std::vector<std::string>& reads, Problems& problems) {
     check_another_result(folder, where, reads, problems);
-    if (around(folder, lists_files)) return;  // files changed since are kept when they are rewritten
+    if (around(folder, lists_files)) {
+        for (const std::string& file : changed_files(files))
+            problems.add({"was changed since frana wrote it, or is the user's", where, file, "",
+                          "Choose another folder with " + where + ", or move the file away"});
+        return;
+    }
     std::error_code error;
     const std::string list = (fs::path(folder) / k_manifest_file).string();
-    const std::string remedy =
-        "Choose another folder with " + where +
-        ", or move the file away; a study by an older frana, without a list of its files, must be moved as a whole";
+    const std::string remedy = "Choose another folder with " + where + ", or move the file away";
     if (fs::exists(list, error))
         problems.add({"exists already and is not frana's list of files", where, list, "", remedy});
-    // Results of a frana without lists of files are identified only by its names.
-    const auto unlisted = around(folder, is_result);
-    const fs::path real = fs::weakly_canonical(folder.empty() ? "." : folder, error);
-    for (const std::string& file : files) {
-        const fs::path inside = real / fs::path(file).lexically_relative(folder.empty() ? "." : folder);
-        const bool known =
-            unlisted &&
-            existing_file(inside.lexically_normal().lexically_relative(*unlisted).generic_string()) != nullptr;
-        if (!known && fs::exists(fs::symlink_status(file, error)))
+    for (const std::string& file : files)
+        if (fs::exists(fs::symlink_status(file, error)))
             problems.add({"exists already and was not written by frana", where, file, "", remedy});
-    }
 }
 
 void make_drawing_folder(const std::string& folder) {
@@ -406,33 +367,10 @@ void make_drawing_folder(const std::string& folder) {
 
 void begin_own(const std::string& folder, const std::vector<std::string>& files) {
     if (!around(folder, lists_files) && !around(folder, is_result)) write_manifest(folder, {});
-    keep_changed_files(files);
+    for (const std::string& file : changed_files(files))
+        throw Error(ErrorKind::environment, Problem{"was changed since frana wrote it", file, "", "",
+                                                    "Move the file away, or choose another folder with --out"});
     note_in_making(files);
-}
-
-void clear_own(const std::string& folder, const std::vector<std::string>& files,
-               const std::function<bool(const std::string& name)>& belongs) {
-    const auto home = around(folder, lists_files);
-    const auto manifest = home ? read_manifest(home->string()) : std::nullopt;
-    if (!manifest) return;
-    const fs::path real = fs::canonical(folder);
-    std::vector<std::string> removed;
-    for (const auto& [name, mark] : manifest->files) {
-        const fs::path file = *home / name;
-        const auto is_it = [&](const std::string& one) { return fs::path(one).filename() == file.filename(); };
-        if (file.parent_path() != real || !belongs(file.filename().string()) ||
-            std::any_of(files.begin(), files.end(), is_it))
-            continue;
-        std::error_code error;
-        if (!fs::is_regular_file(fs::symlink_status(file, error)) || mark_of(file.string()) != mark) continue;
-        fs::remove(file, error);
-        if (error)
-            throw Error(ErrorKind::environment,
-                        Problem{"is from an earlier, longer series and cannot be removed: " + error.message(),
-                                file.string(), "", "", system_remedy(error.value())});
-        removed.push_back(name);
-    }
-    remove_from_manifest(home->string(), removed);
 }
 
 }  // namespace frana::app

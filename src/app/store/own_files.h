@@ -18,8 +18,6 @@ namespace frana::app {
 /// replaces has that name until it is removed. A note in the folder says which of the two it is: one without a note, or
 /// with that of a folder of another name, is not frana's.
 inline constexpr const char* k_partial = ".partial";
-/// Of an older result for a moment, where the two cannot be exchanged: RESULT.partial.old.
-inline constexpr const char* k_waiting = ".old";
 std::string partial_folder(const std::string& directory);
 
 /// Writes a note to a partial folder that a result is being built in it. Throws Error(environment).
@@ -105,8 +103,7 @@ class KeptFiles {
 /// listed in the manifest of the result that is or contains the folder, or in one of the folder.
 
 /// Adds a problem for a folder that is, or is in, a result other than those read, since files of different results
-/// would mix; and for every output that exists in a folder without a list of frana's files, since it belongs to the
-/// user. If there is a list, keep_changed_files() keeps those that were changed.
+/// would mix; and for every output that exists and is not as frana's list of files has it, since it is the user's.
 /// @param where the option that specifies the place
 /// @param reads results, or files in them, that the command reads and may write into
 void check_own(const std::string& folder, const std::vector<std::string>& files, const std::string& where,
@@ -117,16 +114,8 @@ void check_own(const std::string& folder, const std::vector<std::string>& files,
 void make_drawing_folder(const std::string& folder);
 
 /// Call before the first of the files is written: creates a list in a folder without one, so that files are identified
-/// after a kill and changed ones are kept; record_files() lists them at the end. Throws Error(environment).
+/// after a kill; record_files() lists them at the end. Throws Error(environment), also for files that were changed
+/// since check_own().
 void begin_own(const std::string& folder, const std::vector<std::string>& files);
-
-/// Removes files of a series (frames of a longer animation) that frana wrote to a folder and does not rewrite: listed,
-/// unchanged and not among these. `belongs` identifies the series by names in the folder. Throws Error(environment).
-void clear_own(const std::string& folder, const std::vector<std::string>& files,
-               const std::function<bool(const std::string& name)>& belongs);
-
-/// Called before files are rewritten: those that are in a result, exist, and differ from its manifest belong to the
-/// user and get such a name. Reported on stderr. Files outside results may be replaced. Throws Error(environment).
-void keep_changed_files(const std::vector<std::string>& paths);
 
 }  // namespace frana::app

@@ -57,31 +57,10 @@ bool is_inside(const fs::path& path, const fs::path& directory) {
     return !relative.empty() && *relative.begin() != "..";
 }
 
-/// A mount point cannot be renamed, nor anything to its name.
-bool is_mount_point(const fs::path& path) {
-    struct statx facts {};
-    if (::statx(AT_FDCWD, path.c_str(), 0, STATX_BASIC_STATS, &facts) == 0 &&
-        (facts.stx_attributes_mask & STATX_ATTR_MOUNT_ROOT) != 0)
-        return (facts.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0;
-    struct stat own {
-    }, above{};  // a kernel before 5.8
-    return ::stat(path.c_str(), &own) == 0 && ::stat(path.parent_path().c_str(), &above) == 0 &&
-           own.st_dev != above.st_dev;
-}
-
-/// In such a folder (/tmp) only a name's owner may rename it.
-bool is_sticky(const fs::path& path) {
-    struct stat own {
-    }, above{};
-    if (::geteuid() == 0 || ::stat(path.c_str(), &own) != 0 || ::stat(path.parent_path().c_str(), &above) != 0)
-        return false;
-    return (above.st_mode & S_ISVTX) != 0 && own.st_uid != ::geteuid() && above.st_uid != ::geteuid();
-}
-
 /// Returns the greatest length of a result's name: it is built beside its place under a longer name.
 long longest_name(const fs::path& path) {
     const long most = ::pathconf(existing_parent(path).c_str(), _PC_NAME_MAX);
-    return (most > 0 ? most : 255) - static_cast<long>(std::string(k_partial).size() + std::string(k_waiting).size());
+    return (most > 0 ? most : 255) - static_cast<long>(std::string(k_partial).size());
 }
 
 /// SQLite, which writes the GeoPackages, opens no path of more bytes, with those of its journal; inside a result the
@@ -95,19 +74,7 @@ std::optional<std::string> refusal(const fs::path& path) {
     if (::faccessat(AT_FDCWD, path.c_str(), F_OK, AT_EACCESS) != 0) return std::nullopt;
     if (::faccessat(AT_FDCWD, path.c_str(), R_OK | W_OK | X_OK, AT_EACCESS) != 0)
         return std::string("the existing folder may not be changed: ") + std::strerror(errno);
-    if (is_sticky(path)) return "the existing folder belongs to another user, and only its owner may rename it";
     return std::nullopt;
-}
-
-/// Returns the problem of a symbolic link; none if there is no link, or it can be followed.
-std::optional<Problem> broken_link(const std::string& directory, const fs::path& path, const std::string& where) {
-    std::error_code error;
-    if (fs::is_symlink(path, error)) return Problem{"is a symbolic link to itself", where, path.string(), "", k_choose};
-    const fs::path named = clean(directory);
-    if (path == named || !fs::is_symlink(named, error) || fs::exists(path, error)) return {};
-    return Problem{
-        "is a symbolic link to a place that does not exist", where, named.string() + " -> " + path.string(), "",
-        "Connect the disk or create the folder that it points to, or choose another result directory with --out"};
 }
 
 constexpr const char* k_move = "Move them to another folder, or choose another result directory with --out";
@@ -148,16 +115,7 @@ void check_inputs(const fs::path& result, const std::vector<std::string>& inputs
 }  // namespace
 
 std::string result_path(const std::string& directory) {
-    constexpr int k_most_links = 40;  // the system's limit
-    fs::path path = clean(directory);
-    for (int links = 0; links < k_most_links; ++links) {
-        std::error_code error;
-        if (!fs::is_symlink(path, error)) break;
-        const fs::path to = fs::read_symlink(path, error);
-        if (error) break;
-        path = clean(path.parent_path() / to);
-    }
-    return path.string();
+    return clean(directory).string();
 }
 
 bool has_files(const std::string& folder) {
@@ -190,18 +148,14 @@ std::optional<Problem> check_result_directory(const std::string& directory, Olde
                                               const std::vector<std::string>& inputs, const std::string& where,
                                               Problems& problems) {
     const fs::path path = result_path(directory);
-    if (const auto problem = broken_link(directory, path, where)) {
-        problems.add(*problem);
+    std::error_code error;
+    if (fs::is_symlink(path, error)) {
+        problems.add({"is a symbolic link, which a result would replace", where, path.string(), "",
+                      "Name the folder that it leads to"});
         return {};
     }
-    std::error_code error;
     if (fs::exists(path, error) && !fs::is_directory(path, error)) {
         problems.add({"is a file, not a folder", where, path.string(), "", "Choose another result directory"});
-        return {};
-    }
-    if (fs::is_directory(path, error) && is_mount_point(path)) {
-        problems.add({"is a mount point (a disk or a container's volume), which a result cannot replace", where,
-                      path.string(), "", "Choose a folder in it: --out " + (path / "result").string()});
         return {};
     }
     if (const long most = longest_name(path); static_cast<long>(path.filename().string().size()) > most)
@@ -355,14 +309,12 @@ void ResultDirectory::replace_older() {
                                 k_publish_again});
     note_replaced(directory_);
     if (::renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, directory_.c_str(), RENAME_EXCHANGE) == 0) return;
-    const std::string waiting = partial_ + k_waiting;  // a file system without this operation
-    std::error_code error, ignored;
-    fs::rename(directory_, waiting, error);
-    if (error) fail("the older result cannot be moved away", directory_, error.message() + kept_in(partial_), rights());
-    fs::rename(partial_, directory_, error);
-    if (error) fs::rename(waiting, directory_, ignored);
+    // A file system without this operation. What is removed is the program's own; if it is killed here, the new result
+    // is complete beside the place.
+    std::error_code error = remove_own_files(directory_);
+    if (!error) fs::remove(directory_, error);
+    if (!error) fs::rename(partial_, directory_, error);
     if (error) fail("the result cannot take its name", directory_, error.message() + kept_in(partial_), rights());
-    fs::rename(waiting, partial_, ignored);
 }
 
 namespace {

@@ -53,8 +53,6 @@ template std::optional<std::string> value_in(const Json&, const std::string&);
 
 namespace {
 
-constexpr const char* k_all_below = "/**";
-
 class Table {
   public:
     Table& by(const std::string& command) {
@@ -104,9 +102,9 @@ std::vector<ResultFile> make_table() {
     table.add(FileKind::working, {k_building_file, k_replaced_file, "checkpoint/step_*.frana", "checkpoint/reserve",
                                   std::string(k_page_folder) + "/*.png", std::string(k_page_folder) + "/*.svg"});
     for (const std::string folder : {k_whole_frames, k_cut_frames}) {
-        for (const char* ending : {".tif", ".gpkg", ".vtp"})
+        for (const char* ending : {".tif", ".gpkg"})
             table.add(FileKind::working, {folder + "/*_[0-9][0-9][0-9][0-9]*" + ending});
-        table.add(FileKind::working, {folder + "/frames.csv", folder + "/particles.pvd"});
+        table.add(FileKind::working, {folder + "/frames.csv"});
     }
     table.add_rasters();
     table.add(FileKind::vector,
@@ -115,12 +113,11 @@ std::vector<ResultFile> make_table() {
     table.add(FileKind::table, {k_series_file, k_profile_table, k_gauge_table, k_section_table, k_exposure_table});
     table.add(FileKind::page, {k_report_file});
     table.add(FileKind::style, {k_project_file});
-    table.add(FileKind::table, {k_frame_list, k_particle_list});
-    table.add(FileKind::vector, {"frames/particles_*.gpkg", "frames/particles_*.vtp"});
-    table.add(FileKind::stack, {k_netcdf_file, std::string(k_zarr_folder) + k_all_below});
+    table.add(FileKind::table, {k_frame_list});
+    table.add(FileKind::vector, {"frames/particles_*.gpkg"});
     for (const PeakFile& file : k_peak_files) {
         const std::string stem = std::string(k_peak_folder) + "/*_C_null_dfa_" + file.kind;
-        table.add(FileKind::raster, {stem + ".tif", stem + ".asc"}).add(FileKind::text, {stem + ".prj"});
+        table.add(FileKind::raster, {stem + ".tif"});
         table.add_styles(stem + ".tif");
     }
     table.by("compare");
@@ -153,8 +150,7 @@ std::vector<ResultFile> make_table() {
 }
 
 bool matches(const ResultFile& row, const std::string& path) {
-    if (!row.pattern.ends_with(k_all_below)) return ::fnmatch(row.pattern.c_str(), path.c_str(), FNM_PATHNAME) == 0;
-    return path.starts_with(row.pattern.substr(0, row.pattern.size() - 2));
+    return ::fnmatch(row.pattern.c_str(), path.c_str(), FNM_PATHNAME) == 0;
 }
 
 const ResultFile* row_of(const std::string& path) {

@@ -18,12 +18,12 @@ std::optional<Json> read_json_file(const std::string& path);
 template <class T>
 std::optional<T> value_in(const Json& json, const std::string& pointer);
 
-enum class FileKind { text, table, vector, raster, style, picture, page, animation, stack, working };
+enum class FileKind { text, table, vector, raster, style, picture, page, animation, working };
 
 /// A file that frana writes to a result directory. The one list of files that a result's manifest may name, that may be
 /// replaced, that an unfinished folder may contain, and that documents and tests refer to.
 struct ResultFile {
-    /// Pattern of the path inside the result: "*" matches any text within a name, "/**" at the end everything below.
+    /// Pattern of the path inside the result: "*" matches any text within a name.
     std::string pattern;
     FileKind kind;
     std::string written_by;  ///< the first command that writes it: "run", "render"
@@ -86,14 +86,11 @@ inline constexpr const char* k_comparison_outline = "comparison.gpkg";  ///< tha
 inline constexpr const char* k_reliability_table = "reliability.csv";
 inline constexpr const char* k_roc_table = "roc.csv";
 inline constexpr const char* k_animation_file = "animation.mp4";
-inline constexpr const char* k_netcdf_file = "frames.nc";
-inline constexpr const char* k_zarr_folder = "frames.zarr";
 inline constexpr const char* k_frame_folder = "frames";
 /// Beside it in a result that is being built: the frames before they were cut to a part of the map, and while they are.
 inline constexpr const char* k_whole_frames = "frames.whole";
 inline constexpr const char* k_cut_frames = "frames.cut";
 inline constexpr const char* k_frame_list = "frames/frames.csv";
-inline constexpr const char* k_particle_list = "frames/particles.pvd";
 /// Whose styles all frames of a quantity share: frames/depth.qml, .sld.
 inline std::string frame_style(const std::string& quantity) {
     return std::string(k_frame_folder) + "/" + quantity;

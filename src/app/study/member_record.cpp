@@ -91,22 +91,16 @@ const std::vector<float>& MemberRecord::of(Quantity quantity) const noexcept {
     return depth;
 }
 
-std::int64_t MemberRecord::cells_across(const GridSpec& grid) const {
-    return std::max<std::int64_t>(1, std::llround(cell_size / grid.cell_size));
-}
-
 CellWindow MemberRecord::place_in(const GridSpec& grid) const {
     const double column = (west - grid.west) / grid.cell_size, row = (grid.north - north) / grid.cell_size;
     constexpr double k_tolerance = 1e-3;  // of a cell: files round their origin
     const auto is_whole = [](double value) { return std::abs(value - std::round(value)) < k_tolerance; };
-    const std::int64_t across = cells_across(grid);
-    const double expected = grid.cell_size * static_cast<double>(across);
-    if (!is_whole(column) || !is_whole(row) || std::abs(cell_size / expected - 1) > 1e-9)
+    if (!is_whole(column) || !is_whole(row) || std::abs(cell_size / grid.cell_size - 1) > 1e-9)
         throw Error(ErrorKind::input,
                     Problem{"has other cells than the study's scene", "member " + std::to_string(member), "", "",
                             "Set terrain.crs and terrain.cell-size in the scene"});
-    return {static_cast<std::int64_t>(std::llround(row)), static_cast<std::int64_t>(std::llround(column)),
-            rows * across, columns * across};
+    return {static_cast<std::int64_t>(std::llround(row)), static_cast<std::int64_t>(std::llround(column)), rows,
+            columns};
 }
 
 CellWindow MemberRecord::reached(const GridSpec& grid) const {

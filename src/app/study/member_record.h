@@ -99,26 +99,21 @@ struct MemberRecord {
     [[nodiscard]] const std::vector<float>& of(Quantity quantity) const noexcept;
     /// Returns a quantity as a raster on a grid in which it has a place; NaN where the flow did not come.
     [[nodiscard]] Raster raster(Quantity quantity, const GridSpec& grid) const;
-    /// Returns the number of cells of another grid along a side of its own.
-    [[nodiscard]] std::int64_t cells_across(const GridSpec& grid) const;
-    /// Returns its grid's place in another grid, with the same cells or several in each of its own. Throws Error(input)
-    /// if the lines of its grid are not all lines of the other.
+    /// Returns its grid's place in another grid with the same cells. Throws Error(input) if it has others.
     [[nodiscard]] CellWindow place_in(const GridSpec& grid) const;
     /// Returns the window of the cells that the flow reached, in rows and columns of such a grid; empty if there are
     /// none.
     [[nodiscard]] CellWindow reached(const GridSpec& grid) const;
     /// Calls visit(row, column, index) for the cells that the flow reached, by rows and columns of such a grid, which
-    /// may be outside it; in smaller cells once for each.  `index` is the cell's place in depth, velocity and arrival.
+    /// may be outside it. `index` is the cell's place in depth, velocity and arrival.
     template <class Visit>
     void for_each_cell(const GridSpec& grid, const Visit& visit) const {
         const CellWindow place = place_in(grid);
-        const std::int64_t across = cells_across(grid);
         std::size_t index = 0;
         for (const CellRun& run : runs) {
             for (std::uint64_t cell = run.first; cell < run.first + run.count; ++cell, ++index) {
-                const std::int64_t row = static_cast<std::int64_t>(cell) / columns * across + place.row,
-                                   column = static_cast<std::int64_t>(cell) % columns * across + place.column;
-                for (std::int64_t i = 0; i < across * across; ++i) visit(row + i / across, column + i % across, index);
+                const auto at = static_cast<std::int64_t>(cell);
+                visit(at / columns + place.row, at % columns + place.column, index);
             }
         }
     }

@@ -49,11 +49,8 @@ struct Correlation {
 
 enum class Sampling {
     sobol,
-    latin_hypercube,
     random,
     importance,
-    grid,
-    saltelli,
     morris,
     table,
     polygons  ///< no sampling: each polygon of the release perimeter is a member of its own
@@ -67,7 +64,7 @@ struct SamplingMethod {
     Sampling sampling;
     const char* name;  ///< of samples and designs in study.sampling
     Kind kind;
-    bool goes_on = false;           ///< more members may follow the last one, as study.levels and --extend need
+    bool goes_on = false;           ///< more members may follow the last one, as --extend needs
     bool replicated = false;        ///< drawn in k_replicates parts that are randomised independently of each other
     std::size_t more_in_group = 0;  ///< its members form groups of so many more than there are keys; 0: no groups
 };
@@ -77,11 +74,8 @@ struct SamplingMethod {
 inline constexpr std::size_t k_replicates = 8;
 inline constexpr SamplingMethod k_samplings[] = {
     {Sampling::sobol, "sobol", SamplingMethod::Kind::sample, true, true},
-    {Sampling::latin_hypercube, "latin-hypercube", SamplingMethod::Kind::sample, false, true},
     {Sampling::random, "random", SamplingMethod::Kind::sample, true},
     {Sampling::importance, "importance", SamplingMethod::Kind::design, false, true},
-    {Sampling::grid, "grid", SamplingMethod::Kind::design},
-    {Sampling::saltelli, "saltelli", SamplingMethod::Kind::design, false, true, 2},
     {Sampling::morris, "morris", SamplingMethod::Kind::design, false, true, 1},
     {Sampling::table, "table", SamplingMethod::Kind::given},
     {Sampling::polygons, "per-polygon", SamplingMethod::Kind::given}};
@@ -137,8 +131,6 @@ struct StudySpec {
     std::int64_t seed = 1;
     std::optional<std::string> rare_place;  ///< importance sampling: the gauge of the scene that is seldom reached
     std::optional<double> until;  ///< largest standard error of a probability at which no more members are run
-    std::optional<std::size_t>
-        levels;  ///< cell sizes of a multilevel study; none: members are on the scene's own cells
     Keep keep = Keep::none;
     std::vector<std::string> set;  ///< "key=value" for all members, as after `--set`; paths absolute
     std::vector<Variation> vary;   ///< in the order of the file
@@ -152,7 +144,7 @@ struct StudySpec {
         return more == 0 ? 0 : vary.size() + more;
     }
     /// Whether more members may follow the last one, with the same ones before them.
-    [[nodiscard]] bool is_extensible() const noexcept { return method_of(sampling).goes_on && !levels; }
+    [[nodiscard]] bool is_extensible() const noexcept { return method_of(sampling).goes_on; }
 };
 
 /// Returns the number of members that a study in rounds has after one of them.

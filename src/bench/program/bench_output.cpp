@@ -115,14 +115,11 @@ render::Image speed_chart(const bench::SpeedResult& result) {
 namespace fs = std::filesystem;
 
 std::optional<BenchOutput> bench_output(const boost::program_options::variables_map& values,
-                                        const std::vector<const char*>& names, const std::vector<std::string>& inputs) {
+                                        const std::vector<const char*>& names) {
     const auto folder = text_option(values, "out");
     if (!folder) return {};
     BenchOutput output(*folder, names);
     Problems problems;
-    KeptFiles kept;
-    for (const std::string& file : inputs) kept.add(file);
-    kept.check(output.files(), "--out", problems);
     check_own(*folder, output.files(), "--out", {}, problems);
     problems.throw_if_any();
     std::error_code error;

@@ -45,11 +45,9 @@ class BenchOutput {
 
 /// Returns the output of --out, if given; the folder is made before anything is computed, so that an invalid one is
 /// reported first.
-/// @param inputs files that must not be among the outputs
 /// Throws Error(input) if a file would replace one that frana did not write, Error(environment).
 std::optional<BenchOutput> bench_output(const boost::program_options::variables_map& values,
-                                        const std::vector<const char*>& names,
-                                        const std::vector<std::string>& inputs = {});
+                                        const std::vector<const char*>& names);
 
 /// A table of a bench: its member in the document of --json, and its CSV.
 struct BenchTable {
@@ -59,15 +57,5 @@ struct BenchTable {
 /// Prints the text of a bench, or with --json its tables as one document; returns the exit code.
 int print_bench(const boost::program_options::variables_map& values, const std::string& bench, const std::string& text,
                 const std::vector<BenchTable>& tables, bool good = true);
-
-/// `frana bench estimate SCENE.ini`: computes all levels of numerics.accuracy and the scene's own cells, prints for
-/// each level estimates and true changes against the scene's own cells, and writes estimate.csv into --out. Returns the
-/// exit code: numerical where a level ended early. Throws Error.
-int bench_estimate(const std::string& scene, const boost::program_options::variables_map& values);
-
-/// `frana bench ensemble STUDY.ini`: computes maps of probability by plain, Latin hypercube, Sobol' and multilevel
-/// sampling with several numbers of members and seeds, prints their errors against a large reference and their cost,
-/// and writes ensemble.csv and ensemble.png into --out. Returns the exit code. Throws Error.
-int bench_ensemble(const std::string& study, const boost::program_options::variables_map& values);
 
 }  // namespace frana::app

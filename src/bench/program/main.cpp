@@ -7,17 +7,13 @@
 
 #include "app/commands/command_line.h"
 #include "app/commands/run_program.h"
-#include "app/commands/scene_variants.h"
 #include "app/input/share_directory.h"
 #include "app/process/terminal.h"
-#include "app/store/scene_identity.h"
 #include "app/text/text_file.h"
 #include "app/text/text_table.h"
 #include "bench/accuracy/accuracy.h"
 #include "bench/program/bench_output.h"
-#include "bench/speed/law_costs.h"
 #include "bench/speed/speed.h"
-#include "bench/stability/robustness.h"
 #include "bench/stability/stability.h"
 #include "core/error.h"
 #include "gis/raster/raster_in.h"
@@ -25,47 +21,6 @@
 
 namespace frana::app {
 namespace {
-
-constexpr const char *k_robustness_csv = "robustness.csv", *k_robustness_json = "robustness.json";
-
-std::uint64_t seed_of(const boost::program_options::variables_map& values) {
-    const std::string text = text_option(values, "seed").value_or("1");
-    const auto seed = integer_from_text(text);
-    if (!seed || *seed < 0)
-        throw Error(ErrorKind::input, Problem{"is not a seed", "--seed", text, "a whole number, 0 or more", ""});
-    return static_cast<std::uint64_t>(*seed);
-}
-
-/// Runs `frana bench robustness SCENE.ini`: prints the table and writes robustness.csv and robustness.json to --out.
-/// Returns the exit code: numerical if a run ended early. Throws Error.
-int bench_robustness(const std::string& scene, const boost::program_options::variables_map& values) {
-    const bool quiet = values.count("quiet") > 0;
-    bench::RobustnessOptions options;
-    options.seed = seed_of(values);
-    options.only = text_options(values, "case");
-    SceneVariants variants(scene, text_options(values, "set"), thread_count(values), quiet);
-    const SceneSpec spec = variants.read({}).spec;
-    const auto out = bench_output(values, {k_robustness_csv, k_robustness_json}, input_files(spec));
-    options.threshold = spec.output.trace_threshold;
-    options.scene = [&](const std::vector<std::string>& overrides) { return variants.read(overrides).scene; };
-    options.run = [&](const Scene& changed) { return variants.run(changed); };
-    options.report = [&](const std::string& line) {
-        if (!quiet) std::cerr << line << '\n';
-    };
-    catch_stop_signals();
-    const auto rows = bench::run_robustness(options);
-    if (stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
-    if (out) {
-        out->begin();
-        write_text_file(out->path(k_robustness_csv), bench::robustness_csv(rows));
-        write_text_file(out->path(k_robustness_json), bench::robustness_json(rows, options, spec.file));
-        out->list();
-    }
-    const bool whole =
-        std::all_of(rows.begin(), rows.end(), [](const bench::RobustnessRow& row) { return row.run_problem.empty(); });
-    return print_bench(values, "robustness", bench::robustness_table(rows), {{"cases", bench::robustness_csv(rows)}},
-                       whole);
-}
 
 namespace fs = std::filesystem;
 
@@ -124,27 +79,20 @@ int bench_stability(const boost::program_options::variables_map& values) {
 }
 
 int bench_speed(const boost::program_options::variables_map& values) {
-    const auto out =
-        bench_output(values, {"speed.csv", "speed_stages.csv", "speed_terms.csv", "law_costs.csv", "speed.png"});
+    const auto out = bench_output(values, {"speed.csv", "speed.png"});
     bench::SpeedOptions options;
     options.quick = values.count("quick") > 0;
     options.threads = thread_count(values);
     options.report = report_line;
     const auto result = bench::run_speed(options);
-    report_line("cost of each law ...");
-    const auto costs = bench::run_law_costs(options.quick ? 2e4 : 1e5, options.quick ? 20 : 50);
-    const std::vector<BenchTable> tables{{"speed", bench::speed_csv(result)},
-                                         {"speed_stages", bench::speed_stages_csv(result)},
-                                         {"speed_terms", bench::speed_terms_csv(result)},
-                                         {"law_costs", bench::law_costs_csv(costs)}};
+    const std::string csv = bench::speed_csv(result);
     if (out) {
         out->begin();
-        for (const BenchTable& table : tables) write_text_file(out->path(table.name + ".csv"), table.csv);
+        write_text_file(out->path("speed.csv"), csv);
         render::write_png(out->path("speed.png"), speed_chart(result));
         out->list();
     }
-    return print_bench(values, "speed", bench::speed_table(result) + bench::law_costs_table(costs), tables,
-                       result.right());
+    return print_bench(values, "speed", bench::speed_table(result), {{"speed", csv}}, result.right());
 }
 
 int run_bench(Arguments words) {
@@ -152,26 +100,19 @@ int run_bench(Arguments words) {
     if (!values) return static_cast<int>(ExitCode::done);
     const auto operands = text_options(*values, "operand");
     const std::string& which = operands.front();
-    const bool needs_scene = which == "robustness" || which == "estimate" || which == "ensemble";
-    if (operands.size() > (needs_scene ? 2U : 1U)) {
+    if (which == "robustness" || which == "estimate" || which == "ensemble")
+        throw Error(ErrorKind::input,
+                    Problem{"is no longer a bench", "command line", which, "accuracy, stability, speed",
+                            "`frana converge` tells what cells change, `frana ensemble` what other values do"});
+    if (operands.size() > 1) {
         throw Error(ErrorKind::input,
                     Problem{"is not expected here", "command line", operands.back(), "", "See frana bench --help"});
     }
     if (which == "accuracy") return bench_accuracy(*values);
     if (which == "stability") return bench_stability(*values);
     if (which == "speed") return bench_speed(*values);
-    if (!needs_scene) {
-        throw Error(ErrorKind::input,
-                    Problem{"no such bench", "command line", which,
-                            "accuracy, stability, speed, robustness, estimate, ensemble", "Give one of these"});
-    }
-    if (operands.size() < 2) {
-        throw Error(ErrorKind::input,
-                    Problem{std::string(which == "ensemble" ? "STUDY.ini" : "SCENE.ini") + " is missing",
-                            "command line", "", "", "See frana bench --help"});
-    }
-    if (which == "ensemble") return bench_ensemble(operands.back(), *values);
-    return which == "estimate" ? bench_estimate(operands.back(), *values) : bench_robustness(operands.back(), *values);
+    throw Error(ErrorKind::input,
+                Problem{"no such bench", "command line", which, "accuracy, stability, speed", "Give one of these"});
 }
 
 }  // namespace

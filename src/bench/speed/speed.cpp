@@ -148,38 +148,6 @@ double difference_from_plain(bool mud) {
     return difference / greatest;
 }
 
-// Terms are added one after another to a frictionless slide.
-std::vector<TermRow> measure_terms(double particles, std::int64_t steps) {
-    Setup setup = speed_sheet(particles, false);
-    const Material full = setup.material;
-    setup.material.friction_coefficient = 0;
-    setup.material.turbulence = std::numeric_limits<double>::infinity();
-    setup.numerics.slope_correction = SlopeCorrection::none;
-    setup.numerics.well_balanced = false;
-    std::vector<TermRow> rows;
-    const auto add = [&](const char* term) {
-        const SpeedRow row = measure(setup, term, 1, steps).row;
-        rows.push_back({term, 1e9 / row.particle_steps_per_second, row.bytes_per_particle});
-    };
-    add("pressure and slope, splitting and merging, maxima");
-    setup.numerics.well_balanced = true;
-    add("reference level per node");
-    setup.numerics.slope_correction = SlopeCorrection::normal;
-    add("slope correction");
-    setup.material.friction_coefficient = full.friction_coefficient;
-    add("Coulomb friction, held at rest");
-    setup.material.turbulence = full.turbulence;
-    add("turbulent friction");
-    setup.material.viscosity = 1000;
-    add("in-plane viscosity");
-    setup.material.yield_stress = 500;
-    add("in-plane yield stress");
-    setup.material.friction_coefficient = std::tan(40 * k_degree);
-    for (const Field field : {Field::u, Field::v}) std::fill_n(setup.seeds[field], setup.seeds.size(), 0.0);
-    add("all of it, at rest");
-    return rows;
-}
-
 double free_memory() {
     return static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
@@ -286,8 +254,6 @@ SpeedResult run_speed(const SpeedOptions& options) {
         if (options.report) options.report(speed_line(row));
         result.rows.push_back(row);
     }
-    const double terms_size = std::min(sizes.back(), 1e5);
-    result.terms = measure_terms(terms_size, options.steps > 0 ? options.steps : steps_for(terms_size, options.quick));
     return result;
 }
 
@@ -366,30 +332,6 @@ std::string speed_csv(const SpeedResult& result) {
     return out;
 }
 
-std::string speed_stages_csv(const SpeedResult& result) {
-    std::string out = "case,particles,threads,stage,nanoseconds_per_particle_step,fraction,bytes_moved\n";
-    for (const SpeedRow& row : result.rows) {
-        for (std::size_t s = 0; s < k_stages && row.bytes_moved > 0; ++s) {
-            char line[160];
-            std::snprintf(line, sizeof line, "%s,%lld,%d,%s,%.4g,%.4f,%g\n", row.case_name.c_str(),
-                          static_cast<long long>(row.particles), row.threads, k_stage_names[s], nanoseconds_of(row, s),
-                          fraction_of(row, s), bytes_moved(static_cast<Stage>(s), row.case_name == "mud"));
-            out += line;
-        }
-    }
-    return out;
-}
-
-std::string speed_terms_csv(const SpeedResult& result) {
-    std::string out = "term,nanoseconds_per_particle_step,bytes_per_particle\n";
-    for (const TermRow& row : result.terms) {
-        char line[160];
-        std::snprintf(line, sizeof line, "\"%s\",%.4g,%g\n", row.term.c_str(), row.nanoseconds, row.bytes_per_particle);
-        out += line;
-    }
-    return out;
-}
-
 std::string speed_table(const SpeedResult& result) {
     char line[200];
     std::snprintf(line, sizeof line, "kernels: %s; greatest difference from the plain ones after ten steps: %.1e%s\n",
@@ -418,14 +360,6 @@ std::string speed_table(const SpeedResult& result) {
         out += line;
     }
 
-    out += "\ncost of each term: the slide with it and all above it, one thread\n";
-    double before = 0;
-    for (const TermRow& row : result.terms) {
-        std::snprintf(line, sizeof line, "%-52s %7.1f ns %+7.1f  %4.0f bytes per particle\n", row.term.c_str(),
-                      row.nanoseconds, row.nanoseconds - before, row.bytes_per_particle);
-        before = row.nanoseconds;
-        out += line;
-    }
     for (const std::string& note : result.notes) out += note + "\n";
     return out;
 }

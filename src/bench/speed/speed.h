@@ -36,16 +36,8 @@ struct SpeedRow {
     bool same_bits = true;  ///< as of the run with one thread
 };
 
-/// The cost of a term of the model: the slide with it and everything above it in the list.
-struct TermRow {
-    std::string term;
-    double nanoseconds = 0;  ///< per particle-step, one thread
-    double bytes_per_particle = 0;
-};
-
 struct SpeedResult {
     std::vector<SpeedRow> rows;
-    std::vector<TermRow> terms;
     std::vector<std::pair<int, double>> bandwidth;  ///< threads, bytes per second
     std::vector<std::string> notes;                 ///< sizes omitted, with the reason
     std::string kernels;                            ///< those that the processor runs
@@ -75,11 +67,6 @@ struct SpeedOptions {
 SpeedResult run_speed(const SpeedOptions& options);
 
 std::string speed_csv(const SpeedResult& result);
-/// Returns case, particles, threads, stage, nanoseconds per particle-step, fraction of the time, bytes per
-/// particle-step.
-std::string speed_stages_csv(const SpeedResult& result);
-/// Returns term, nanoseconds per particle-step, bytes per particle.
-std::string speed_terms_csv(const SpeedResult& result);
 std::string speed_table(const SpeedResult& result);
 
 /// Returns the bytes of particle fields that a stage reads and writes for one particle; 0 for stages over nodes and for

@@ -13,6 +13,7 @@
 #include "core/text.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/laws.h"
+#include "params/keys/output_parameters.h"
 #include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
 #include "params/keys/scene_spec.h"
@@ -346,8 +347,7 @@ void check_finite_volume(const SceneSpec& scene, const std::set<std::string>& gi
         refuse("numerics.curvature", "off", "is not possible with numerics.scheme = finite-volume");
     if (scene.material.pore_pressure(scene.material.density).active())
         refuse("material.pore-pressure-ratio", "", "pore pressure needs particles that carry it");
-    for (const std::string& format : scene.output.formats)
-        if (format.starts_with("particles-")) refuse("output.formats", format, k_of_particles);
+    if (writes_particles(scene.output)) refuse("output.formats", "particles-gpkg", k_of_particles);
 }
 
 void check_frames(const SceneSpec& scene, const std::string& file, Problems& problems) {
@@ -408,21 +408,14 @@ void check_hazard(const HazardSpec& hazard, const std::string& file, Problems& p
 void check_output(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
                   Problems& problems) {
     const OutputSpec& output = scene.output;
-    const auto has = [&](const char* format) {
-        return std::find(output.formats.begin(), output.formats.end(), format) != output.formats.end();
-    };
     const auto refuse_formats = [&](const char* what, const char* remedy) {
         problems.add({what, file + ": output.formats", joined(output.formats, ", "), "", remedy});
     };
-    const bool particles = has("particles-gpkg") || has("particles-vtp");
-    if ((has("netcdf") || has("zarr")) && frame_interval(scene) == 0)
-        refuse_formats("netcdf and zarr contain the frames, but the scene writes none", "Set output.frames = on");
+    const bool particles = writes_particles(output);
     if (particles && !output.frames)
         refuse_formats("particles are written with the frames, but the scene writes none", "Set output.frames = on");
     if (particles && scene.material.model == "structured" && scene.structured.phases == "fluid")
-        refuse_formats("fluid alone has no particles", "Remove particles-gpkg and particles-vtp");
-    if (has("ascii") && output.names != "avaframe")
-        refuse_formats("ascii is a format of the AvaFrame rasters", "Set output.names = avaframe or remove ascii");
+        refuse_formats("fluid alone has no particles", "Remove particles-gpkg");
     for (const std::string& map : output.maps) {
         const ResultRaster* const row = find_result_raster(raster_of_map(map));
         if (row != nullptr && row->is_produced_by != nullptr && !row->is_produced_by(scene))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -13,6 +14,11 @@ namespace frana {
 
 /// Returns the file formats of maps, which are the endings of their files: "png", "pdf", "svg", "tif".
 const std::vector<std::string>& picture_formats();
+
+/// Whether the particles of each frame are written.
+inline bool writes_particles(const OutputSpec& output) {
+    return std::find(output.formats.begin(), output.formats.end(), "particles-gpkg") != output.formats.end();
+}
 
 /// Adds the keys of [output] for the appearance of maps, views and charts.
 void add_pictures(std::vector<Parameter>& list);

@@ -339,6 +339,26 @@ void add_numerics(std::vector<Parameter>& list) {
     list.push_back(accuracy_parameter());
 }
 
+/// Formats of earlier versions, and what makes them of the files that are written.
+constexpr std::pair<const char*, const char*> k_gone_formats[] = {
+    {"netcdf", "Leave it out: gdal_translate -of netCDF makes it of frames/*.tif"},
+    {"zarr", "Leave it out: gdal_translate -of Zarr makes it of frames/*.tif"},
+    {"ascii", "Leave it out: gdal_translate -of AAIGrid makes it of a GeoTIFF"},
+    {"particles-vtp", "Write particles-gpkg in its place"}};
+
+Parameter formats_key() {
+    Parameter key = word_list("output.formats", FRANA_MEMBER(output.formats), {}, {"geotiff", "particles-gpkg"},
+                              "Formats: GeoTIFF is always written; particles-gpkg adds the particles of each frame as "
+                              "GeoPackage points.");
+    key.read = [of_words = key.read](SceneSpec& scene, const std::string& value) -> std::optional<ValueProblem> {
+        for (const std::string& word : words_of(value))
+            for (const auto& [gone, instead] : k_gone_formats)
+                if (word == gone) return ValueProblem{"'" + word + "' is no longer written", instead};
+        return of_words(scene, value);
+    };
+    return key;
+}
+
 void add_rest(std::vector<Parameter>& list) {
     list.push_back(declare::decides_map(
         number("time.end", FRANA_MEMBER(time.end), "s", Range{0, 1e6, true}, "Longest simulated time.")));
@@ -373,11 +393,7 @@ void add_rest(std::vector<Parameter>& list) {
     list.push_back(on_off("output.frames", FRANA_MEMBER(output.frames),
                           "Write depth and velocity at the frame interval as GeoTIFFs."));
     list.push_back(on_off("output.animation", FRANA_MEMBER(output.animation), "Write animation.mp4."));
-    list.push_back(word_list("output.formats", FRANA_MEMBER(output.formats), {},
-                             {"geotiff", "netcdf", "zarr", "ascii", "particles-gpkg", "particles-vtp"},
-                             "Formats: GeoTIFF is always written; netcdf and zarr add the frames as one file each, "
-                             "particles-gpkg and particles-vtp the particles of each frame as GeoPackage points and "
-                             "VTK polydata; ascii writes the AvaFrame rasters as ESRI ASCII grids."));
+    list.push_back(formats_key());
     list.push_back(number("output.checkpoint-interval", FRANA_MEMBER(output.checkpoint_interval), "s", Range{0, 1e6},
                           "Wall time between checkpoints for --resume; 0: only at the run's last step."));
     list.push_back(declare::decides_map(

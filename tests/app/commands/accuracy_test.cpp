@@ -209,16 +209,5 @@ TEST_F(AccuracyRun, ASignalDuringTheCoarserLevelsLeavesNothing) {
     for (const std::string& name : files()) EXPECT_EQ(name.find("result"), std::string::npos) << name;
 }
 
-TEST_F(AccuracyRun, BenchShowsEstimateAndTrueChange) {
-    const Outcome outcome =
-        frana({"bench", "estimate", "scene.ini", "--quiet", "--out", "study", "--set", "terrain.cell-size=2"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("true changes within the estimate"), std::string::npos) << outcome.out;
-    const std::string csv = bytes("study/estimate.csv");
-    // Cells of 6 and 4 m have two coarser levels, 6 values each.
-    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 13) << csv;
-    EXPECT_EQ(frana({"bench", "estimate"}).exit_code, 2);
-}
-
 }  // namespace
 }  // namespace frana::test

@@ -93,13 +93,13 @@ TEST_F(Render, AnyRasterOfTheResultAndAnyTime) {
 }
 
 TEST_F(Render, WithoutAMapDrawsTheRunsRastersAndNoUsersOnes) {
-    for (const char* name : {"mine.tif", "max_depth.kept-1.tif"})
+    for (const char* name : {"mine.tif", "max_depth_mine.tif"})
         fs::copy_file(path("result/max_depth.tif"), path(std::string("result/") + name));
     write("result/photo.tif", "no raster at all");
     const Outcome all = frana({"render", "result", "--size", "640x480", "--out", "all"});
     ASSERT_EQ(all.exit_code, 0) << all.err;
     EXPECT_TRUE(fs::exists(path("all/max_depth.png")));
-    for (const char* name : {"mine.png", "max_depth.kept-1.png", "photo.png"})
+    for (const char* name : {"mine.png", "max_depth_mine.png", "photo.png"})
         EXPECT_FALSE(fs::exists(path(std::string("all/") + name))) << name;
     // Requested by its name it is drawn.
     EXPECT_EQ(frana({"render", "result", "--map", "mine", "--size", "640x480", "--out", "all"}).exit_code, 0);

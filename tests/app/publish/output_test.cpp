@@ -477,17 +477,17 @@ TEST_F(Output, HazardKeysThatContradictAreRefused) {
 }
 
 TEST_F(Output, AvaFrameFilesHaveItsNamesAndThicknessNormalToTheSlope) {
-    run("[output]\nmaps = off\nanimation = off\nframes = off\nnames = avaframe\nformats = geotiff, ascii\n");
+    run("[output]\nmaps = off\nanimation = off\nframes = off\nnames = avaframe\n");
     // relName_simHash_defID_simType_modelType_resType, as AvaFrame's cfgUtils.parseSimName takes names apart.
-    const std::regex form(R"([^_]+_[0-9a-f]{10}_C_null_dfa_(ppr|pft|pfv)\.asc)");
+    const std::regex form(R"([^_]+_[0-9a-f]{10}_C_null_dfa_(ppr|pft|pfv)\.tif)");
     std::string thickness;
     int count = 0;
     for (const auto& entry : fs::directory_iterator(path("result/peakFiles"))) {
-        if (entry.path().extension() != ".asc") continue;
+        if (entry.path().extension() != ".tif") continue;
         ++count;
         const std::string name = entry.path().filename().string();
         EXPECT_TRUE(std::regex_match(name, form)) << name;
-        if (name.ends_with("_pft.asc")) thickness = "peakFiles/" + name;
+        if (name.ends_with("_pft.tif")) thickness = "peakFiles/" + name;
     }
     EXPECT_EQ(count, 3);
     ASSERT_FALSE(thickness.empty());
@@ -506,7 +506,7 @@ TEST_F(Output, AvaFrameFilesHaveItsNamesAndThicknessNormalToTheSlope) {
 TEST_F(Output, DepthsNormalToTheBedAreTheVerticalOnesTimesTheCosineOfTheSlope) {
     const std::string maps =
         "frame-interval = 2\n[output]\nmaps = max_depth, hazard\nmap-formats = svg\nanimation = off\n"
-        "formats = geotiff, netcdf\n[hazard]\nscheme = swiss-debris-flow\n";
+        "[hazard]\nscheme = swiss-debris-flow\n";
     run(maps);
     fs::rename(path("result"), path("vertical"));
     run(maps, {"output.depth=normal"});
@@ -563,9 +563,6 @@ TEST_F(Output, DepthsNormalToTheBedAreTheVerticalOnesTimesTheCosineOfTheSlope) {
     for (const std::string map : {"maps/max_depth.svg", "maps/hazard.svg"})
         EXPECT_NE(text(map).find("normal to the"), std::string::npos) << map;  // the title may be in two lines
     EXPECT_NE(read_text(path("vertical/maps/max_depth.svg")).find("vertical"), std::string::npos);
-    const GDALDatasetUniquePtr netcdf(GDALDataset::Open(("NETCDF:" + path("result/frames.nc") + ":depth").c_str()));
-    ASSERT_TRUE(netcdf);
-    EXPECT_STREQ(netcdf->GetRasterBand(1)->GetMetadataItem("long_name"), "flow depth, normal to the bed");
 }
 
 // 2 m normal to a slope of 1 in 2 are sqrt(1.25) times as thick vertically.
@@ -580,29 +577,6 @@ TEST_F(Output, TheThicknessOfAReleaseIsGivenInBothDirections) {
         EXPECT_NEAR(value("thickness_vertical_m") / value("thickness_normal_m"), std::sqrt(1.25), 1e-5) << direction;
         EXPECT_NEAR(value(direction == "normal" ? "thickness_normal_m" : "thickness_vertical_m"), 2, 2e-5) << direction;
     }
-}
-
-TEST_F(Output, FramesAsNetcdfAndZarr) {
-    run("frame-interval = 1\n[output]\nmaps = off\nanimation = off\nformats = geotiff, netcdf, zarr\n");
-    const gis::GdalSession session;
-    for (const std::string name : {"frames.nc", "frames.zarr"}) {
-        const GDALDatasetUniquePtr file(GDALDataset::Open(path("result/" + name).c_str(), GDAL_OF_MULTIDIM_RASTER));
-        ASSERT_TRUE(file) << name;
-        const auto depth = file->GetRootGroup()->OpenMDArray("depth");
-        ASSERT_TRUE(depth);
-        EXPECT_EQ(depth->GetDimensions()[0]->GetSize(), 5U);
-        std::vector<float> values(static_cast<std::size_t>(k_rows) * k_columns);
-        const GUInt64 start[3] = {2, 0, 0};
-        const size_t count[3] = {1, k_rows, k_columns};
-        ASSERT_TRUE(
-            depth->Read(start, count, nullptr, nullptr, GDALExtendedDataType::Create(GDT_Float32), values.data()));
-        const Raster frame = raster("frames/depth_0002.tif");
-        for (std::size_t i = 0; i < values.size(); ++i)
-            ASSERT_EQ(values[i], std::isnan(frame.values[i]) ? -9999 : static_cast<float>(frame.values[i])) << name;
-    }
-    write_scene("[output]\nmaps = off\nanimation = off\nframes = off\nformats = geotiff, zarr\n");
-    EXPECT_NE(frana({"check", "scene.ini"}).err.find("contain the frames, but the scene writes none"),
-              std::string::npos);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ TEST_F(Overwrite, LeavesTheFilesOfAFreshRun) {
         {"least", k_voellmy + "[output]\nmaps = off\nanimation = off\nframes = off\nreport = off\n"},
         {"film", k_voellmy + "[output]\nmaps = off\nframes = off\nmap-size = 640x480\n"},
         {"scar", k_voellmy + k_numbers_only + "[scar]\nperimeter = scar.geojson\n"},
-        {"other_frames", k_voellmy + "[output]\nmaps = off\nanimation = off\nformats = geotiff, zarr\n"}};
+        {"other_frames", k_voellmy + "[output]\nmaps = off\nanimation = off\nformats = geotiff, particles-gpkg\n"}};
     for (const auto& [name, text] : scenes) run(text, name);
     for (const auto& [older, older_text] : scenes) {
         if (!older.starts_with("all") && older != "film") continue;
@@ -139,7 +139,7 @@ TEST_F(Overwrite, IsRefusedWhileUsersFilesAreInTheWay) {
     // Of the user's own, with a name of frana's that is not listed, changed, and a journal with changes in it.
     for (const std::string name :
          {"notes.txt", "maps/mine.png", "frames/depth_9999_mine.txt", "gis/deep/er.qgz", "manifest.json.bak",
-          "max_depth.kept-1.sld", "hazard.tif", "max_depth.tif.aux.xml.old", "extent.gpkg-wal", "notes.txt.aux.xml"}) {
+          "hazard.tif", "max_depth.tif.aux.xml.old", "extent.gpkg-wal", "notes.txt.aux.xml"}) {
         fs::create_directories(fs::path(path("old/" + name)).parent_path());
         write("old/" + name, "mine");
         expect_refused(one + name + " (value ");
@@ -216,27 +216,25 @@ TEST_F(Overwrite, OfAStudyIsRefusedWhileUsersFilesAreInTheWay) {
     }
 }
 
-// Drawing and comparing again replace their own files, and keep files changed by the user.
-TEST_F(Overwrite, RedrawingKeepsChangedFiles) {
+// Drawing and comparing again replace their own files, and none that the user changed.
+TEST_F(Overwrite, RedrawingIsRefusedForChangedFiles) {
     run(k_voellmy + k_numbers_only, "old");
+    const std::vector<std::string> compare{"compare", "old", "--scar", "scar.geojson", "--size", "640x480"},
+        draw{"render", "old", "--map", "max_depth", "--map", "final_depth", "--size", "640x480"};
     for (int time = 0; time < 2; ++time) {
-        render({"--map", "max_depth", "--size", "640x480"});
-        ASSERT_EQ(frana({"compare", "old", "--scar", "scar.geojson", "--size", "640x480"}).exit_code, 0);
+        ASSERT_EQ(frana(draw).exit_code, 0);
+        ASSERT_EQ(frana(compare).exit_code, 0);
     }
-    EXPECT_FALSE(exists("old/maps/max_depth.kept-1.png"));
     write("old/maps/max_depth.png", "my arrows");
-    write("old/maps/final_depth.png", "my own");
     write("old/comparison.qml", "my style");
-    render({"--map", "max_depth", "--map", "final_depth", "--size", "640x480"});
-    const Outcome compared = frana({"compare", "old", "--scar", "scar.geojson", "--size", "640x480"});
-    ASSERT_EQ(compared.exit_code, 0) << compared.err;
-    EXPECT_NE(compared.err.find("comparison.qml is not as frana wrote it: kept as comparison.kept-1.qml"),
-              std::string::npos)
-        << compared.err;
-    EXPECT_EQ(read_text(path("old/maps/max_depth.kept-1.png")), "my arrows");
-    EXPECT_EQ(read_text(path("old/maps/final_depth.kept-1.png")), "my own");
-    EXPECT_EQ(read_text(path("old/comparison.kept-1.qml")), "my style");
-    EXPECT_GT(fs::file_size(path("old/maps/max_depth.png")), 1000U);
+    for (const auto& [words, name] : {std::pair(draw, "maps/max_depth.png"), std::pair(compare, "comparison.qml")}) {
+        const auto before = bytes_below(path("old"));
+        const Outcome outcome = frana(words);
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+        EXPECT_NE(outcome.err.find("was changed since frana wrote it, or is the user's"), std::string::npos);
+        EXPECT_NE(outcome.err.find(name), std::string::npos) << outcome.err;
+        EXPECT_TRUE(bytes_below(path("old")) == before);
+    }
 }
 
 TEST_F(Overwrite, AnotherProgramsFolderIsNoResult) {

@@ -24,7 +24,7 @@ class ParticleFiles : public TinyScene {
               "model = structured\n[structured]\nphases = " +
                   phases +
                   "\n[time]\nend = 2\nframe-interval = 1\n"
-                  "[output]\nmaps = off\nanimation = off\nformats = geotiff, particles-gpkg, particles-vtp\n");
+                  "[output]\nmaps = off\nanimation = off\nformats = geotiff, particles-gpkg\n");
     }
 };
 
@@ -45,7 +45,6 @@ TEST_F(ParticleFiles, OfTheFirstModel) {
     write_scene("frame-interval = 1\n[output]\nmaps = off\nanimation = off\nformats = geotiff, particles-gpkg\n");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=2"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_FALSE(fs::exists(path("result/frames/particles.pvd")));
     const Points start = points("result/frames/particles_0000.gpkg"), end = points("result/frames/particles_0002.gpkg");
     EXPECT_EQ(start.names, k_common);
     EXPECT_NEAR(start.sum("volume_m3"), 4000, 1e-6);  // 50 m x 40 m x 2 m
@@ -100,23 +99,6 @@ TEST_F(ParticleFiles, OfStructuredSolidsInBothFormats) {
         EXPECT_NEAR(value("stress_zz_kpa"), (1e4 - 2 * shear / 3) * (value("strain_xx") + value("strain_yy")),
                     1e-6 * (1 + std::abs(value("stress_zz_kpa"))));
     }
-    // The polydata have the same values, at the height of the column's top.
-    vtkNew<vtkXMLPolyDataReader> reader;
-    reader->SetFileName(path("result/frames/particles_0002.vtp").c_str());
-    reader->Update();
-    vtkPolyData* data = reader->GetOutput();
-    ASSERT_EQ(static_cast<std::size_t>(data->GetNumberOfPoints()), end.columns.at("x").size());
-    for (const std::string& name : names) {
-        vtkDataArray* array = data->GetPointData()->GetArray(name.c_str());
-        ASSERT_TRUE(array) << name;
-        for (vtkIdType p = 0; p < data->GetNumberOfPoints(); ++p)
-            EXPECT_EQ(array->GetComponent(p, 0), end.columns.at(name)[static_cast<std::size_t>(p)]);
-    }
-    EXPECT_EQ(data->GetPoint(7)[2], end.columns.at("bed_m")[7] + end.columns.at("depth_m")[7]);
-    const std::string list = read_text(path("result/frames/particles.pvd"));
-    for (const char* words :
-         {"timestep=\"0\" file=\"particles_0000.vtp\"", "timestep=\"2\" file=\"particles_0002.vtp\""})
-        EXPECT_NE(list.find(words), std::string::npos) << list;
 }
 
 TEST_F(ParticleFiles, OfFluidAloneAreRefused) {
@@ -127,7 +109,7 @@ TEST_F(ParticleFiles, OfFluidAloneAreRefused) {
 }
 
 TEST_F(ParticleFiles, NeedFrames) {
-    write_scene("[output]\nformats = particles-vtp\nframes = off\n");
+    write_scene("[output]\nformats = particles-gpkg\nframes = off\n");
     const Outcome outcome = frana({"check", "scene.ini"});
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_NE(outcome.err.find("Set output.frames = on"), std::string::npos) << outcome.err;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Places of a result: links, mount points and folders of other owners.
+// Places of a result: links, other disks and folders without permission.
 #include <sys/mount.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -54,56 +54,34 @@ class Mounted {
     bool is_there_;
 };
 
-TEST_F(Place, ASymbolicLinkIsKeptAndTheResultIsBuiltAtItsTarget) {
+TEST_F(Place, ALinkIsRefusedWithItsRemedy) {
     fs::create_directories(path("disk/empty"));
     fs::create_directory_symlink("disk/empty", path("to_empty"));
-    fs::create_directory_symlink("to_empty", path("to_link"));
-    const Outcome outcome = run("to_empty/");
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_TRUE(is_result("disk/empty"));
-    EXPECT_EQ(run("to_link").exit_code, 2);
-    ASSERT_EQ(run("to_link", {"--overwrite", "--set", "release.thickness=1"}).exit_code, 0);
-    EXPECT_NEAR(json_number(read_text(path("disk/empty/summary.json")), "initial_m3"), 2000, 1e-6);
-    EXPECT_EQ(fs::read_symlink(path("to_link")), "to_empty");
-    EXPECT_EQ(fs::read_symlink(path("to_empty")), "disk/empty");
-    for (const std::string& name : files()) EXPECT_EQ(name.find("partial"), std::string::npos) << name;
-}
-
-TEST_F(Place, BrokenLinksAreRefused) {
     fs::create_directory_symlink("no_disk/result", path("dangling"));
     fs::create_directory_symlink("circle", path("circle"));
-    fs::create_directory_symlink("nothing_yet", path("to_nothing"));  // whoever made the link chose that place
-    expect_refused("dangling", 2, "is a symbolic link to a place that does not exist");
-    expect_refused("to_nothing/", 2, "is a symbolic link to a place that does not exist");
-    expect_refused("circle", 2, "is a symbolic link to itself");
+    fs::create_directory_symlink("disk", path("to_disk"));
+    for (const std::string link : {"to_empty/", "dangling", "circle"}) {
+        expect_refused(link, 2, "is a symbolic link, which a result would replace");
+        expect_refused(link, 2, "Name the folder that it leads to");
+    }
+    ASSERT_EQ(run("to_disk/result").exit_code, 0) << "a link above it";
+    EXPECT_TRUE(is_result("disk/result"));
     fs::create_directory(path("elsewhere"));
     fs::create_directory_symlink("elsewhere", path("result.partial"));
     expect_refused("result", 2, "is a symbolic link: the result would be built elsewhere");
 }
 
-TEST_F(Place, AMountPointIsRefusedAtTheStartAndAFolderInItAccepted) {
+// It cannot be renamed: what was computed stays beside it.
+TEST_F(Place, AResultThatCannotTakeItsNameIsKeptBesideIt) {
     fs::create_directories(path("disk"));
     const Mounted disk(path("disk"));
     if (!disk.is_there()) GTEST_SKIP() << "nothing may be mounted here";
-    fs::create_directory_symlink("disk", path("to_disk"));
-    fs::create_directory(path("disk/deep"));
-    fs::create_directory_symlink("disk/deep", path("deep"));
-    for (const std::string out : {"disk", "to_disk"}) {
-        expect_refused(out, 2, "is a mount point");
-        EXPECT_NE(run(out).err.find("--out " + path("disk/result")), std::string::npos);
-    }
+    const Outcome outcome = run("disk");
+    EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+    EXPECT_NE(outcome.err.find("the new result is complete in " + path("disk.partial")), std::string::npos)
+        << outcome.err;
+    EXPECT_TRUE(is_result("disk.partial"));
     ASSERT_EQ(run("disk/result").exit_code, 0);
-    ASSERT_EQ(run("deep").exit_code, 0);
-    EXPECT_TRUE(is_result("disk/deep"));
-}
-
-TEST_F(Place, AFolderBoundToAnotherPlaceIsAMountPointToo) {
-    fs::create_directories(path("real"));
-    fs::create_directories(path("bound"));
-    if (::mount(path("real").c_str(), path("bound").c_str(), nullptr, MS_BIND, nullptr) != 0)
-        GTEST_SKIP() << "nothing may be mounted here";
-    expect_refused("bound", 2, "is a mount point");
-    ::umount2(path("bound").c_str(), MNT_DETACH);
 }
 
 /// Runs as a user without permissions during its lifetime.
@@ -121,11 +99,8 @@ class AsNobody {
     bool is_;
 };
 
-TEST_F(Place, OfAnotherOwnerOrWithoutPermissionIsRefused) {
-    for (const char* name : {"closed", "sticky", "sticky/result", "open", "open/closed"})
-        fs::create_directories(path(name));
-    ASSERT_EQ(::chmod(path("sticky").c_str(), 01777), 0);
-    ASSERT_EQ(::chmod(path("sticky/result").c_str(), 0777), 0);
+TEST_F(Place, WithoutPermissionIsRefused) {
+    for (const char* name : {"closed", "open", "open/closed"}) fs::create_directories(path(name));
     ASSERT_EQ(::chmod(path("open").c_str(), 0777), 0);
     ASSERT_EQ(::chmod(path("open/closed").c_str(), 0555), 0);
     ASSERT_EQ(::chmod(path("").c_str(), 0755), 0);
@@ -141,10 +116,7 @@ TEST_F(Place, OfAnotherOwnerOrWithoutPermissionIsRefused) {
     EXPECT_NE(refusal("closed/result").find("cannot be written"), std::string::npos) << refusal("closed/result");
     EXPECT_NE(refusal("closed").find("cannot be written"), std::string::npos);
     EXPECT_NE(refusal("open/closed").find("may not be changed"), std::string::npos) << refusal("open/closed");
-    EXPECT_NE(refusal("sticky/result").find("only its owner may rename it"), std::string::npos)
-        << refusal("sticky/result");
     EXPECT_EQ(refusal("open/result"), "");
-    EXPECT_EQ(refusal("sticky/another"), "");
 }
 
 // A colleague's folder, a disk mounted read-only: all problems at once, with a remedy also by check.

@@ -16,7 +16,7 @@ class ResumedFrames : public Resuming {
   protected:
     [[nodiscard]] std::vector<std::string> with_particles(const std::string& result,
                                                           std::vector<std::string> more = {}) const {
-        more.insert(more.end(), {"--quiet", "--set", "output.formats=geotiff,particles-gpkg,particles-vtp", "--set",
+        more.insert(more.end(), {"--quiet", "--set", "output.formats=geotiff,particles-gpkg", "--set",
                                  "terrain.cell-size=2.5", "--set", "numerics.particles-per-cell=9"});
         return run(result, more);
     }
@@ -74,14 +74,14 @@ TEST_F(ResumedFrames, MissingFilesAreReported) {
     ASSERT_TRUE(program.wait_until([&] { return has_checkpoints("result", 2); })) << program.wait().err;
     program.send(SIGKILL);
     program.wait();
-    const fs::path file = folder_of(checkpoints("result")[0]) / "frames/particles_0000.vtp";
+    const fs::path file = folder_of(checkpoints("result")[0]) / "frames/particles_0000.gpkg";
     fs::remove(file);
     const Outcome refused = frana(with_particles("result", {"--resume"}));
     EXPECT_EQ(refused.exit_code, 2);
     EXPECT_NE(refused.err.find("needs a frame that is missing: " + file.string()), std::string::npos) << refused.err;
 }
 
-// Otherwise everything would be computed, and the animation or the stack of frames would fail at the end, each time
+// Otherwise everything would be computed, and the animation would fail at the end, each time
 // again.
 TEST_F(ResumedFrames, ThatAreDamagedAreReportedBeforeAnythingIsComputed) {
     interrupt("result");

@@ -365,7 +365,7 @@ TEST_F(Calibrate, EveryMeasureIsZeroForTheRunThatWasSurveyed) {
     ASSERT_GT(speed, 0);
     write("slope.ini", read_text(path("slope.ini")) + "deposit = surveyed/elevation_change.tif\n");
     write("study.ini",
-          "[study]\nscene = slope.ini\nsamples = 2\nsampling = latin-hypercube\n[set]\ntime.end = "
+          "[study]\nscene = slope.ini\nsamples = 2\n[set]\ntime.end = "
           "12\n[objective]\njaccard = "
           "1\narea = 1\nrunout = 1\noutline = 1\ndeposit = 1\ndeposit-depth = 1\narrival = 1\nspeed = 1\ndepth = "
           "1\n[event "

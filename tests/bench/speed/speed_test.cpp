@@ -25,10 +25,6 @@ TEST(Speed, MeasuresOneAndSeveralThreadsWithTheSameBits) {
         << "stress is carried only where there is some";
     EXPECT_LT(result.difference_from_plain, 1e-10) << "the fast kernels compute something else";
     EXPECT_TRUE(result.right());
-    ASSERT_EQ(result.terms.size(), 8u);
-    for (const TermRow& row : result.terms) EXPECT_GT(row.nanoseconds, 0) << row.term;
-    EXPECT_LT(result.terms.back().nanoseconds, 0.5 * result.terms[6].nanoseconds) << "what rests is computed";
-    EXPECT_GT(result.terms.back().bytes_per_particle, result.terms.front().bytes_per_particle);
     const std::string csv = speed_csv(result);
     EXPECT_EQ(csv.substr(0, csv.find('\n')),
               "case,particles,threads,particle_steps_per_second,bytes_per_particle,fraction_of_memory_bandwidth");

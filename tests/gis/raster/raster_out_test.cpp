@@ -141,25 +141,6 @@ TEST(WriteGeotiff, TheCheckDetectsFilesThatAreNotCloudOptimised) {
     EXPECT_FALSE(test::cog_problems(folder.file("a.tif")).empty()) << "edited";
 }
 
-TEST(WriteAsciiGrid, IsReadBackToSixDigits) {
-    const Folder folder;
-    const Raster raster = bowl(20, 10);
-    write_ascii_grid(folder.file("a.asc"), raster);
-    const Raster back = read_result_raster(folder.file("a.asc"));
-    EXPECT_TRUE(back.grid.same_cells(raster.grid));
-    for (std::size_t i = 0; i < raster.values.size(); ++i) {
-        if (std::isnan(raster.values[i])) {
-            EXPECT_TRUE(std::isnan(back.values[i]));
-        } else {
-            EXPECT_NEAR(back.values[i], raster.values[i], 1e-5 * (1 + std::abs(raster.values[i])));
-        }
-    }
-    const std::string text = test::text_in(folder.file("a.asc"));
-    const std::size_t nodata = text.find("NODATA_value");
-    ASSERT_NE(nodata, std::string::npos);
-    EXPECT_EQ(std::atof(text.c_str() + nodata + 12), -9999);
-}
-
 TEST(WriteGeotiff, OverviewsDoNotMixInNoData) {
     const Folder folder;
     const Raster raster = bowl(600, 500);

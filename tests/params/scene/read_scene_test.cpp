@@ -160,20 +160,28 @@ TEST_F(ReadScene, FrameIntervalIsRoundAndOnlyWithFrames) {
 
 TEST_F(ReadScene, OutputsThatContradictAreRefusedTogether) {
     const std::vector<Problem> all = problems(k_least +
-                                              "[output]\nformats = netcdf, ascii\nframes = off\nanimation = off\n"
+                                              "[output]\nformats = particles-gpkg\nframes = off\nanimation = off\n"
                                               "sample-interval = 1\nmap-scale = 5000\nmap-background-licence = CC\n"
                                               "[hazard]\nscheme = custom\n");
-    const auto of_formats = [](const Problem& problem) { return problem.where.ends_with("output.formats"); };
-    EXPECT_EQ(std::count_if(all.begin(), all.end(), of_formats), 2) << "frames, and names of AvaFrame";
-    EXPECT_TRUE(has_problem(all, "output.formats", "netcdf, ascii"));
+    EXPECT_TRUE(has_problem(all, "output.formats", "particles-gpkg"));
     EXPECT_TRUE(has_problem(all, "output.sample-interval", "1"));
     EXPECT_TRUE(has_problem(all, "output.map-scale", "5000",
                             "A4, A3, A4-portrait, A4-landscape, A3-portrait, A3-landscape; output.map-size is auto"));
     EXPECT_TRUE(has_problem(all, "output.map-background-licence", "CC"));
     EXPECT_TRUE(has_problem(all, "hazard.scheme", "custom"));
-    EXPECT_EQ(all.size(), 6U);
+    EXPECT_EQ(all.size(), 5U);
     EXPECT_TRUE(no_problem(problems(k_least + "[output]\nmap-scale = 5000\nmap-size = A3-portrait@300\n")));
-    EXPECT_TRUE(no_problem(problems(k_least + "[output]\nformats = netcdf\n"))) << "GeoTIFFs need not be asked for";
+    EXPECT_TRUE(no_problem(problems(k_least + "[output]\nformats = particles-gpkg\n")))
+        << "GeoTIFFs need not be asked for";
+}
+
+TEST_F(ReadScene, FormatsThatAreGoneAreRefusedWithWhatMakesThem) {
+    for (const std::string gone : {"netcdf", "zarr", "ascii", "particles-vtp"}) {
+        const std::vector<Problem> all = problems(k_least + "[output]\nformats = geotiff, " + gone + "\n");
+        ASSERT_EQ(all.size(), 1U) << gone;
+        EXPECT_NE(all[0].what.find("'" + gone + "' is no longer written"), std::string::npos);
+        EXPECT_NE(all[0].remedy.find(gone == "particles-vtp" ? "particles-gpkg" : "gdal_translate"), std::string::npos);
+    }
 }
 
 // Pressures of snow with the density of debris were seven times too great.

@@ -14,7 +14,7 @@ from ..outputs import ENSEMBLE, declare
 from ..translation import tr
 from .study import StudyAlgorithm, by_key, section, vary_parameter
 
-_SAMPLINGS = ["sobol", "latin-hypercube", "random", "importance", "grid", "saltelli", "morris"]
+_SAMPLINGS = ["sobol", "random", "importance", "morris"]
 
 
 class EnsembleAlgorithm(StudyAlgorithm):
@@ -39,8 +39,6 @@ class EnsembleAlgorithm(StudyAlgorithm):
         self.add_seed()
         self.add_advanced(number_parameter("UNTIL", "Standard error at which no more runs are made", (0, 0.5)),
                           "The number of runs is then the most.")
-        self.add_advanced(number_parameter("LEVELS", "Number of cell sizes (multilevel)", (2, 6), True),
-                          "Many runs on coarse cells, few on the scene's own.")
         self.add_threads()
         self.add_resume()
         self.add_overwrite()
@@ -61,7 +59,6 @@ class EnsembleAlgorithm(StudyAlgorithm):
         entries += [("rare-place", values.text("RARE_PLACE"))] if values.has("RARE_PLACE") else []
         entries += [("seed", str(values.whole("SEED")))] if values.has("SEED") else []
         entries += [("until", number_text(values.number("UNTIL")))] if values.has("UNTIL") else []
-        entries += [("levels", str(values.whole("LEVELS")))] if values.has("LEVELS") else []
         return [*section("study", entries), *changed, *section("vary", pairs)]
 
     def processAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext,  # noqa: N802

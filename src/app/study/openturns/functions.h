@@ -26,15 +26,15 @@ struct KeySensitivity {
     /// distribution (mu*), and the standard deviation of the changes with their signs (sigma), in the figure's unit.
     std::optional<Interval> effect;
     double effect_scatter = 0;
-    std::string method;  ///< of the fractions of variance: "Martinez", "polynomial chaos", or why there are none
+    std::string method;  ///< of the fractions of variance: "polynomial chaos", or why there are none
 };
 
 /// The inputs of members, by member and key.
 struct DesignPoints {
     std::vector<std::vector<double>> numbers;  ///< as SampleTable::numbers
     std::vector<bool> nominal;                 ///< by key
-    Places places;               ///< in the distributions; of a grid or a table mean ranks, even in (0, 1)
-    bool are_dependent = false;  ///< the keys of each other: no fraction of the variance is one key's
+    Places places;                             ///< in the distributions; of a table mean ranks, even in (0, 1)
+    bool are_dependent = false;                ///< the keys of each other: no fraction of the variance is one key's
 };
 
 /// What polynomials of the keys say of an output. The output is a sum of products of orthonormal functions of single
@@ -73,7 +73,7 @@ struct OpenturnsFunctions {
     /// Values of a distribution of numbers at places in (0, 1).
     std::vector<double> (*quantiles)(const Distribution& distribution, const std::vector<double>& places);
     /// Places of a study's members, independent in each coordinate. Replicated: in parts that are randomised
-    /// independently; member i (of Saltelli's design: group i) is from part i % k_replicates, and of `sobol` and
+    /// independently; member i (of Morris' design: group i) is from part i % k_replicates, and of `sobol` and
     /// `random` the first places are those of fewer samples. Otherwise as even as can be.
     Places (*independent_places)(const StudySpec& study, bool is_replicated);
     /// Gives places the rank correlations of a study; each coordinate stays even in (0, 1). False: no distribution has
@@ -83,9 +83,6 @@ struct OpenturnsFunctions {
     RefinedPlaces (*refined)(const Places& design, const std::vector<double>& weights,
                              const std::vector<double>& widths, double prior_part, std::size_t count,
                              std::int64_t seed);
-    /// As sobol_indices(), for outputs that vary in every matrix of the design.
-    std::vector<KeySensitivity> (*indices)(const DesignPoints& points, const std::vector<double>& output,
-                                           std::size_t groups);
     /// The polynomials of some outputs (by output and member), all by the same decompositions.
     /// @param elsewhere points for Chaos::elsewhere, with values that members have of keys without order; may be empty
     std::vector<Chaos> (*chaos)(const DesignPoints& points, const std::vector<std::vector<double>>& outputs,

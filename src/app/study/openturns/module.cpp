@@ -13,14 +13,12 @@
 #include <openturns/Exception.hxx>
 #include <openturns/IdentityMatrix.hxx>
 #include <openturns/KrigingAlgorithm.hxx>
-#include <openturns/LHSExperiment.hxx>
 #include <openturns/LegendreFactory.hxx>
 #include <openturns/Log.hxx>
 #include <openturns/LogNormal.hxx>
 #include <openturns/LogNormalMuSigma.hxx>
 #include <openturns/LogUniform.hxx>
 #include <openturns/LowDiscrepancyExperiment.hxx>
-#include <openturns/MartinezSensitivityAlgorithm.hxx>
 #include <openturns/MaternModel.hxx>
 #include <openturns/Matrix.hxx>
 #include <openturns/Mixture.hxx>
@@ -105,28 +103,12 @@ Places morris_points(std::size_t groups, std::size_t keys, std::int64_t seed) {
     return places;
 }
 
-/// Saltelli's design (2010): matrices A and B, then A with one column of B each.
-Places saltelli_points(std::size_t groups, std::size_t keys, std::int64_t seed) {
-    const Places pairs = sobol_points(groups, 2 * keys, seed);
-    Places places;
-    for (std::size_t matrix = 0; matrix < keys + 2; ++matrix)
-        for (const std::vector<double>& pair : pairs) {
-            std::vector<double>& place = places.emplace_back(pair.begin(), pair.begin() + static_cast<long>(keys));
-            for (std::size_t k = 0; k < keys; ++k)
-                if (matrix == 1 || matrix == k + 2) place[k] = pair[keys + k];
-        }
-    return places;
-}
-
 /// OpenturnsFunctions::independent_places.
 Places independent_places(const StudySpec& study, bool is_replicated) {
     OT::TBB::SetThreadsNumber(1);
-    const std::size_t keys = study.vary.size(), count = static_cast<std::size_t>(study.samples),
-                      parts = is_replicated ? k_replicates : 1;
-    const bool is_sobol = study.sampling == Sampling::sobol;
-    if (const std::size_t size = study.group_size(); size > 0)
-        return (study.sampling == Sampling::morris ? morris_points : saltelli_points)(count / size, keys, study.seed);
-    if (is_sobol && is_replicated) return sobol_points(count, keys, study.seed);
+    const std::size_t keys = study.vary.size(), count = static_cast<std::size_t>(study.samples);
+    if (const std::size_t size = study.group_size(); size > 0) return morris_points(count / size, keys, study.seed);
+    if (study.sampling == Sampling::sobol && is_replicated) return sobol_points(count, keys, study.seed);
     const OT::ComposedDistribution cube{OT::Collection<OT::Distribution>(keys, OT::Uniform(0, 1))};
     OT::RandomGenerator::SetSeed(static_cast<OT::UnsignedInteger>(study.seed));
     Places places(count, std::vector<double>(keys));
@@ -135,14 +117,11 @@ Places independent_places(const StudySpec& study, bool is_replicated) {
             for (double& one : place) one = OT::RandomGenerator::Generate();
         return places;
     }
-    for (std::size_t part = 0; part < std::min(count, parts); ++part) {
-        const std::size_t size = (count - part - 1) / parts + 1;
-        OT::LowDiscrepancyExperiment sequence(OT::SobolSequence(), cube, size, true);
-        sequence.setRandomize(true);
-        const OT::Sample points = is_sobol ? sequence.generate() : OT::LHSExperiment(cube, size, true, true).generate();
-        for (std::size_t i = 0; i < size; ++i)
-            for (std::size_t k = 0; k < keys; ++k) places[part + i * parts][k] = points(i, k);
-    }
+    OT::LowDiscrepancyExperiment sequence(OT::SobolSequence(), cube, count, true);
+    sequence.setRandomize(true);
+    const OT::Sample points = sequence.generate();
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t k = 0; k < keys; ++k) places[i][k] = points(i, k);
     return places;
 }
 
@@ -202,27 +181,6 @@ OT::Sample sample_of(const std::vector<std::vector<double>>& rows) {
     for (std::size_t i = 0; i < rows.size(); ++i)
         for (std::size_t k = 0; k < rows[i].size(); ++k) sample(i, k) = rows[i][k];
     return sample;
-}
-
-/// OpenturnsFunctions::indices.
-std::vector<KeySensitivity> indices(const DesignPoints& points, const std::vector<double>& output, std::size_t groups) {
-    OT::TBB::SetThreadsNumber(1);
-    const std::size_t keys = points.nominal.size(), rows = output.size();
-    OT::Sample values(rows, 1);
-    for (std::size_t i = 0; i < rows; ++i) values(i, 0) = output[i];
-    // One output at a time: with several, every question for one of them computes all.
-    OT::MartinezSensitivityAlgorithm algorithm(sample_of(points.numbers), values, groups);
-    algorithm.setUseAsymptoticDistribution(true);
-    const OT::Point first = algorithm.getFirstOrderIndices(), total = algorithm.getTotalOrderIndices();
-    std::vector<KeySensitivity> all(keys);
-    const OT::Interval of_first = algorithm.getFirstOrderIndicesInterval(),
-                       of_total = algorithm.getTotalOrderIndicesInterval();
-    for (std::size_t k = 0; k < keys; ++k) {
-        all[k].first_order = Interval{first[k], of_first.getLowerBound()[k], of_first.getUpperBound()[k]};
-        all[k].total = Interval{total[k], of_total.getLowerBound()[k], of_total.getUpperBound()[k]};
-        all[k].method = "Martinez";
-    }
-    return all;
 }
 
 /// A function of one key.
@@ -531,6 +489,5 @@ FRANA_MODULE(frana::app::study::OpenturnsFunctions, {.quantiles = frana::app::st
                                                      .independent_places = frana::app::study::independent_places,
                                                      .correlate = frana::app::study::correlate,
                                                      .refined = frana::app::study::refined,
-                                                     .indices = frana::app::study::indices,
                                                      .chaos = frana::app::study::chaos,
                                                      .emulator = frana::app::study::emulator})

@@ -215,8 +215,7 @@ void CalibrationReader::add_entry(const IniEntry& entry) {
     const auto space = head.find(' ');
     const std::string section = head.substr(0, space),
                       event = space == std::string::npos ? "" : trimmed(head.substr(space));
-    static const std::set<std::string> k_without_effect{"study.until", "study.keep", "study.levels",
-                                                        "study.rare-place"},
+    static const std::set<std::string> k_without_effect{"study.until", "study.keep", "study.rare-place"},
         k_gone{"study.refine", "study.coarse"};
     if (rest.empty()) return refuse("unknown key", entry, "", k_sections);
     if (event.empty() && k_without_effect.count(entry.name) > 0)

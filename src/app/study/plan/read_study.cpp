@@ -25,6 +25,12 @@ using StudyKey = ParameterOf<StudySpec>;
 constexpr std::int64_t k_last_seed = 2'147'483'647;
 constexpr const char* k_table_word = "table:";
 
+/// Samplings of earlier versions, and what to use.
+constexpr std::pair<const char*, const char*> k_gone_samplings[] = {
+    {"latin-hypercube", "Write sampling = sobol: it is at least as certain with as many runs"},
+    {"grid", "Write sampling = sobol, or table:FILE.csv with the combinations as rows"},
+    {"saltelli", "Write sampling = sobol: its sensitivities need 64 runs, not thousands"}};
+
 StudyKey sampling_key() {
     declare::Words<Sampling> words;
     for (const SamplingMethod& row : k_samplings)
@@ -33,6 +39,8 @@ StudyKey sampling_key() {
                                           "How the values of the members are drawn.");
     key.limits += std::string(", ") + k_table_word + "FILE.csv";
     key.read = [of_word = key.read](StudySpec& study, const std::string& text) -> std::optional<ValueProblem> {
+        for (const auto& [gone, instead] : k_gone_samplings)
+            if (text == gone) return ValueProblem{"is no longer a sampling", instead};
         if (!text.starts_with(k_table_word)) return of_word(study, text);
         const std::string file = trimmed(text.substr(std::string(k_table_word).size()));
         if (file.empty()) return ValueProblem{"names no file", "Write table:FILE.csv"};
@@ -86,8 +94,7 @@ const std::vector<StudyKey>& study_keys() {
         return std::vector<StudyKey>{
             scene_file,
             of_drawn(integer<StudySpec>("study.samples", FRANA_MEMBER(samples), 2, k_most_samples,
-                                        "Number of members; with sampling = grid, and with until, the most; with "
-                                        "levels the budget, in such runs."),
+                                        "Number of members; with until the most."),
                      false),
             sampling_key(),
             per_polygon_key(),
@@ -100,9 +107,6 @@ const std::vector<StudyKey>& study_keys() {
             number<StudySpec>("study.until", FRANA_MEMBER(until), "", Range{0, 0.5, true, true},
                               "Standard error of the probabilities, anywhere on the map, below which no more members "
                               "are run."),
-            integer<StudySpec>("study.levels", FRANA_MEMBER(levels), 2, 6,
-                               "Cell sizes, each twice the next, of a multilevel study: many members on coarse cells, "
-                               "few on the scene's own. All together cost as much as `samples` on the scene's own."),
             option<StudySpec>("study.keep", FRANA_MEMBER(keep),
                               declare::Words<Keep>{{name_of(Keep::none), Keep::none},
                                                    {name_of(Keep::failed), Keep::failed},
@@ -158,6 +162,8 @@ void StudyReader::add(const IniEntry& entry) {
     if (section == "set" && !rest.empty()) return add_setting(rest, entry);
     if (is("columns", true)) return add_column(rest, entry);
     if (is("vary", false)) return add_variation(rest, entry);
+    if (entry.name == "study.levels")
+        return refuse("is no longer a key", entry, "", "Remove it: sampling = sobol is as certain at the same cost");
     if (is("correlate", false)) return add_correlation(rest, entry);
     const std::string all = joined(names_of(keys), ", ");
     if (is_region() || is("study", false))
@@ -276,7 +282,7 @@ void StudyReader::check_per_polygon() {
     for (const std::string& name : seen()) {
         const bool of_sampling = name.starts_with("vary.") || name.starts_with("correlate.") ||
                                  name == "study.samples" || name == "study.sampling" || name == "study.seed" ||
-                                 name == "study.until" || name == "study.levels" || name == "study.rare-place";
+                                 name == "study.until" || name == "study.rare-place";
         if (of_sampling)
             add_problem({"has no effect with study.per-polygon = on: each polygon is one member", where(name), "", "",
                          "Remove it, or per-polygon"});
@@ -304,14 +310,11 @@ void StudyReader::check_sampling() {
     const auto refuse_for = [&](const std::string& what, const std::string& remedy) {
         add_problem({what, where("study.sampling"), method.name, "", remedy});
     };
-    const auto remove_or_choose = [](const std::string& key, const auto& holds) {
-        return "Remove " + key + ", or choose " + joined(sampling_words(holds), " or ");
-    };
     if (method.kind == Kind::design && !study.correlate.empty())
         refuse_for("needs independent keys", "Remove [correlate], or choose another sampling");
     if (study.until && method.kind != Kind::sample)
         refuse_for("cannot be stopped before its last member by study.until",
-                   remove_or_choose("study.until", [](const auto& row) { return row.kind == Kind::sample; }));
+                   "Remove study.until, or choose sobol or random");
     if (method.more_in_group > 0 && !study.vary.empty()) {
         const auto group = static_cast<std::int64_t>(study.group_size());
         if (study.samples % group != 0 || study.samples / group < 2)
@@ -320,9 +323,6 @@ void StudyReader::check_sampling() {
                          where("study.samples"), std::to_string(study.samples), "",
                          "Write " + std::to_string(std::max<std::int64_t>(2, study.samples / group) * group)});
     }
-    if (study.levels && !method.goes_on)
-        refuse_for("cannot go on drawing members, which study.levels needs",
-                   remove_or_choose("study.levels", [](const auto& row) { return row.goes_on; }));
     const bool in_rounds = study.sampling == Sampling::importance;
     if (in_rounds && !study.rare_place)
         refuse_for("needs a place that is seldom reached",
@@ -337,8 +337,6 @@ void StudyReader::check_sampling() {
     for (const Variation& one : study.vary)
         for (std::size_t i = 0; in_rounds && i < one.distribution.weights.size(); ++i)
             check_option(one, i, static_cast<double>(round_end(study, 0)));
-    if (study.sampling == Sampling::grid && has_seen("vary.terrain.error"))
-        refuse_for("cannot draw fields of error", "Choose another sampling");
 }
 
 }  // namespace

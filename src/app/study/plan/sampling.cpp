@@ -141,45 +141,6 @@ void add_member(const std::vector<Value>& values, double weight, SampleTable& ta
     table.weights.push_back(weight);
 }
 
-/// All combinations of as many levels of each key as the samples allow, in the middle of equal parts of its
-/// distribution; of a choice all values, with their weights.
-SampleTable full_factorial(const StudySpec& study) {
-    SampleTable table = empty_table(study);
-    double choices = 1;
-    std::size_t numbers = 0;
-    for (const Variation& one : study.vary) {
-        const bool is_choice = one.distribution.law == Law::choice;
-        choices *= is_choice ? static_cast<double>(one.distribution.values.size()) : 1;
-        numbers += is_choice ? 0 : 1;
-    }
-    const double most = static_cast<double>(study.samples) / choices;
-    const auto levels = static_cast<std::size_t>(
-        numbers == 0 ? 1 : std::max(1.0, std::floor(std::pow(most, 1.0 / static_cast<double>(numbers)) + 1e-9)));
-    std::vector<std::size_t> at(study.vary.size());
-    for (bool more = true; more;) {
-        std::vector<Value> values;
-        double weight = 1;
-        for (std::size_t k = 0; k < at.size(); ++k) {
-            const Distribution& d = study.vary[k].distribution;
-            if (d.law == Law::choice) {
-                values.emplace_back(d.values[at[k]], static_cast<double>(at[k]));
-                weight *= d.weights[at[k]];
-            } else {
-                const double place = (static_cast<double>(at[k]) + 0.5) / static_cast<double>(levels);
-                values.push_back(values_at(d, {place}).front());
-            }
-        }
-        add_member(values, weight, table);
-        more = false;
-        for (std::size_t k = at.size(); k-- > 0 && !more;) {
-            const Distribution& d = study.vary[k].distribution;
-            more = ++at[k] < (d.law == Law::choice ? d.values.size() : levels);
-            if (!more) at[k] = 0;
-        }
-    }
-    return table;
-}
-
 /// Of an unbounded distribution a value may lie outside the key's range.
 void check_values(const StudySpec& study, const SampleTable& table, const std::string& label, Problems& problems) {
     const std::vector<Parameter>& parameters = scene_parameters();
@@ -237,13 +198,10 @@ std::string values_text(const std::vector<std::string>& overrides) {
 std::vector<std::string> SampleTable::overrides(std::size_t member) const {
     std::vector<std::string> list;
     for (std::size_t k = 0; k < keys.size(); ++k) list.push_back(keys[k] + "=" + values[member][k]);
-    if (!level_runs.empty() && level_runs[member].cell_size > 0)
-        list.push_back(std::string(k_cell_size_key) + "=" + shortest_text(level_runs[member].cell_size));
     return list;
 }
 
 SampleTable draw_samples(const StudySpec& study, const std::string& label, Problems& problems) {
-    if (study.sampling == Sampling::grid) return full_factorial(study);
     StudySpec drawn = study;
     const bool in_rounds = study.sampling == Sampling::importance;
     if (in_rounds) {

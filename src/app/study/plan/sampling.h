@@ -20,9 +20,6 @@ std::optional<ValueProblem> refusal_to_vary(const Parameter& key);
 /// Returns why a key cannot have a distribution: no number, a support beyond its range, a value it does not accept.
 std::optional<ValueProblem> refusal_of(const Parameter& key, const Distribution& distribution);
 
-/// The key by which runs of a multilevel study differ.
-inline constexpr const char* k_cell_size_key = "terrain.cell-size";
-
 /// A column of a user's table, and what it is taken for.
 struct TableColumn {
     enum class Use { key, weight, result };
@@ -40,30 +37,21 @@ struct SampleTable {
     std::vector<bool> nominal;         ///< by key: the numbers have no order
     std::vector<double> weights;       ///< by member, greater than 0
     std::vector<TableColumn> columns;  ///< of the table that was read; empty: drawn
-    Places places;                     ///< of the values in their distributions; none: of a grid or a table
-    /// Members i, i + n, i + 2n, ... form group i of n groups. Saltelli's design (Saltelli et al. 2010): rows of the
-    /// matrices A, B, then A with one column of B each. Morris': a point, then each key alone moved by half of its
-    /// distribution. 0: members are independent of each other.
+    Places places;                     ///< of the values in their distributions; none: of a table
+    /// Members i, i + n, i + 2n, ... form group i of n groups of Morris' design: a point, then each key alone moved by
+    /// half of its distribution. 0: members are independent of each other.
     std::size_t groups = 0;
     bool is_replicated = false;  ///< SamplingMethod::replicated
     /// Of importance sampling, by member: k_replicates times its round, and the part of the round. Empty: one round.
     std::vector<std::size_t> parts;
-    /// A run of a multilevel study.
-    struct LevelRun {
-        std::size_t level = 0;
-        bool is_coarse = false;  ///< on the next coarser cells; it follows the run with the same values on the level's
-        double cell_size = 0;    ///< [m]; 0: the scene's own
-        std::size_t draw = 0;    ///< its number among the draws of its level
-    };
-    std::vector<LevelRun> level_runs;  ///< by member; empty: all on the scene's own cells
 
     [[nodiscard]] std::size_t size() const noexcept { return values.size(); }
     /// The part of a replicated design that a member is from.
     [[nodiscard]] std::size_t replicate_of(std::size_t member) const noexcept {
         if (!parts.empty()) return parts[member];
-        return (!level_runs.empty() ? level_runs[member].draw : groups > 0 ? member % groups : member) % k_replicates;
+        return (groups > 0 ? member % groups : member) % k_replicates;
     }
-    /// Returns "key=value" of a member, in a multilevel study with its cell size.
+    /// Returns "key=value" of a member.
     [[nodiscard]] std::vector<std::string> overrides(std::size_t member) const;
 };
 

@@ -15,7 +15,6 @@
 #include "app/publish/publish_hazard.h"
 #include "app/store/recorded_inputs.h"
 #include "app/store/scene_identity.h"
-#include "app/study/plan/levels.h"
 #include "app/study/plan/read_study.h"
 #include "app/study/plan/region_input.h"
 #include "app/text/number_text.h"
@@ -189,11 +188,6 @@ PolygonMembers polygon_members(const StudySpec& study, const std::string& label,
 
 SceneReading read_member(const StudyReading& reading, const std::vector<std::string>& overrides) {
     std::vector<std::string> all = reading.study.set;
-    const auto key_of = [](const std::string& text) { return text.substr(0, text.find('=')); };
-    std::erase_if(all, [&](const std::string& one) {  // the cell size of a multilevel study's runs
-        return std::any_of(overrides.begin(), overrides.end(),
-                           [&](const std::string& other) { return key_of(other) == key_of(one); });
-    });
     all.insert(all.end(), overrides.begin(), overrides.end());
     SceneReading scene = read_scene(reading.study.scene, all, share_directory(), reading.label + ": ");
     scene.session = reading.session;
@@ -268,14 +262,11 @@ void require_same_lattice(const GridSpec& grid, const GridSpec& other, const std
 /// What decides the members of later rounds besides the values and runs of the first.
 std::string rounds_text(const StudyInput& input) {
     const StudySpec& study = input.reading.study;
-    if (!study.levels && !study.rare_place) return "";
-    std::string text = study.levels ? "levels = " + std::to_string(*study.levels) + "\n" : "";
-    if (study.rare_place) {
-        const RareEvent event = rare_event(input);
-        text += "rare place = " + shortest_text(event.place.x) + ", " + shortest_text(event.place.y) +
-                ", deeper than " + shortest_text(event.threshold) + "\n";
-    }
-    return text + "samples = " + std::to_string(study.samples) + "\nseed = " + std::to_string(study.seed) + "\n";
+    if (!study.rare_place) return "";
+    const RareEvent event = rare_event(input);
+    return "rare place = " + shortest_text(event.place.x) + ", " + shortest_text(event.place.y) + ", deeper than " +
+           shortest_text(event.threshold) + "\nsamples = " + std::to_string(study.samples) +
+           "\nseed = " + std::to_string(study.seed) + "\n";
 }
 
 /// Why importance sampling has no event to look for.
@@ -298,62 +289,6 @@ std::vector<std::string> central_overrides(const StudySpec& study, const SampleT
     return has_table ? table.overrides(table.size() / 2) : central_values(study);
 }
 
-/// The pilot of a multilevel study; its cell sizes are not known yet.
-SampleTable pilot_of(const StudySpec& study, const std::vector<SampleTable>& draws) {
-    SampleTable table;
-    const auto counts = pilot_members(static_cast<std::size_t>(study.samples), draws.size());
-    for (std::size_t l = 0; l < draws.size(); ++l)
-        append_members(draws[l], l, 0, std::min(counts[l], draws[l].size()), 0, table);
-    return table;
-}
-
-/// @param levels draws of a multilevel study; empty for others
-void draw_members(StudyReading& reading, SampleTable& table, std::vector<SampleTable>& levels) {
-    if (!reading.study.levels) {
-        table = read_samples(reading);
-        return;
-    }
-    if (!reading.problems.empty()) return;
-    levels = draw_levels(reading.study, reading.label, reading.problems);
-    if (!levels.empty()) table = pilot_of(reading.study, levels);
-}
-
-/// Prepares the central member on the cells of a level. Adds problems: with the scene, and with cells that are not made
-/// of those of the finest level.
-double expected_cost(const StudyInput& input, double cell_size, Problems& problems) {
-    RunLog silent(true);
-    const std::string where = input.reading.where("study.levels") + ", cells of " + number_text(cell_size) + " m";
-    try {
-        std::vector<std::string> overrides = central_values(input.reading.study);
-        overrides.push_back(std::string(k_cell_size_key) + "=" + shortest_text(cell_size));
-        const Prepared prepared = prepare(read_member(input.reading, overrides), silent);
-        const GridSpec &grid = prepared.scene.grid, &own = input.base.scene.grid;
-        if (!is_whole((grid.west - own.west) / own.cell_size) || !is_whole((grid.north - own.north) / own.cell_size) ||
-            grid.crs_wkt != own.crs_wkt)
-            problems.add({"do not coincide with those of the scene", where, "", "",
-                          "Give the scene a terrain.cell-size other than that of its DTM, or remove study.levels"});
-        const auto work = [](const RunEstimate& run) {
-            return static_cast<double>(run.particles) / run.first_step_seconds;
-        };
-        return work(estimate(prepared.scene, 1)) / work(estimate(input.base.scene, 1));
-    } catch (const Error& error) {
-        for (const Problem& problem : error.problems())
-            problems.add({problem.what, where + ": " + problem.where, problem.value, problem.limit, problem.remedy});
-    }
-    return 0;
-}
-
-/// Gives the levels their cells, and the runs of the pilot theirs.
-void put_levels_on_cells(StudyInput& input, Problems& problems) {
-    const double own = input.base.scene.grid.cell_size;
-    for (std::size_t l = 0; l < input.level_draws.size(); ++l) {
-        const double cell_size = own * std::pow(2.0, static_cast<double>(input.level_draws.size() - 1 - l));
-        input.levels.push_back({cell_size, cell_size == own ? 1 : expected_cost(input, cell_size, problems)});
-    }
-    for (SampleTable::LevelRun& run : input.table.level_runs)
-        run.cell_size = input.levels[run.is_coarse ? run.level - 1 : run.level].cell_size;
-}
-
 /// Reads the scenes of the central member and of all members, and adds all problems to those of the former.
 void read_scenes(const std::vector<std::string>& central, bool quiet, StudyTexts& texts) {
     Problems& problems = texts.reading.problems;
@@ -367,7 +302,7 @@ void read_scenes(const std::vector<std::string>& central, bool quiet, StudyTexts
 }  // namespace
 
 std::size_t StudyInput::members() const {
-    return levels.empty() && table.parts.empty() ? table.size() : static_cast<std::size_t>(reading.study.samples);
+    return table.parts.empty() ? table.size() : static_cast<std::size_t>(reading.study.samples);
 }
 
 RareEvent rare_event(const StudyInput& input) {
@@ -411,7 +346,7 @@ StudyTexts read_study_texts(const std::string& path, const Session& session, Run
             }
             if (texts.table.size() > 0) central = texts.table.overrides(largest_sound(members.sizes, texts.slopes));
         } else {
-            draw_members(texts.reading, texts.table, texts.level_draws);
+            texts.table = read_samples(texts.reading);
             central = central_overrides(texts.reading.study, texts.table);
         }
     } catch (const Error& error) {  // the scene is no INI
@@ -434,20 +369,14 @@ StudyTexts read_study_scenes(StudyReading reading, SampleTable table) {
 }
 
 void redraw(StudyInput& input) {
-    Problems problems;
-    input.levels.clear();
-    input.level_draws.clear();
-    draw_members(input.reading, input.table, input.level_draws);
+    input.table = read_samples(input.reading);
     input.reading.problems.throw_if_any();
-    put_levels_on_cells(input, problems);
-    problems.throw_if_any();
 }
 
 StudyInput prepare_study(StudyTexts texts, const std::optional<Problem>& place, RunLog& log) {
     StudyInput input;
     input.reading = std::move(texts.reading);
     input.table = std::move(texts.table);
-    input.level_draws = std::move(texts.level_draws);
     input.slopes = std::move(texts.slopes);
     input.central = std::move(texts.central);
     // Whatever several members need is read once.
@@ -460,16 +389,14 @@ StudyInput prepare_study(StudyTexts texts, const std::optional<Problem>& place, 
     input.base = prepare(input.central, place, log);
     doubt_ground(input.central, input.base, log);
     input.base.scene.time.frame_interval = 0;
-    put_levels_on_cells(input, problems);
     check_rare_event(input, problems);
     problems.throw_if_any();
     input.identity = "study = " + name_of(input.reading.study.sampling) + "\n" + rounds_text(input) +
                      values_text(input.table) + scene_identity(input.base);
-    const SampleTable& all = input.level_draws.empty() ? input.table : input.level_draws.front();
     RunLog silent(true);
-    for (const std::size_t member : members_with_every_value(all)) {
+    for (const std::size_t member : members_with_every_value(input.table)) {
         attempt(problems, [&] {
-            const Prepared prepared = prepare(read_member(input.reading, all.overrides(member)), silent);
+            const Prepared prepared = prepare(read_member(input.reading, input.table.overrides(member)), silent);
             require_same_lattice(input.base.scene.grid, prepared.scene.grid, "member " + std::to_string(member),
                                  problems);
             input.identity += "member " + std::to_string(member) + ":\n" + scene_identity(prepared);

@@ -33,19 +33,10 @@ struct PolygonMembers {
     std::vector<Slope> slopes{};  ///< of a region, by member
 };
 
-/// The cells of one level of a multilevel study.
-struct LevelCells {
-    double cell_size = 0;      ///< [m]
-    double expected_cost = 0;  ///< of a run, relative to one on the scene's own cells
-};
-
 /// A study with everything checked that can be checked before its members run.
 struct StudyInput {
     StudyReading reading;
     SampleTable table;
-    /// Of a multilevel study: draws from which its levels take members; `table` holds those taken so far, first those
-    /// of the pilot.
-    std::vector<SampleTable> level_draws;
     Prepared base;                            ///< the central member: medians, likeliest choices
     SceneReading central;                     ///< from which it was prepared
     std::vector<ReleaseArea> other_releases;  ///< of members with other files, for maps
@@ -53,11 +44,10 @@ struct StudyInput {
     /// One fact per line: the study, every member's values, the scenes and their data. Two studies with the same
     /// identity give the same bits.
     std::string identity;
-    std::vector<LevelCells> levels;        ///< of a multilevel study, the coarsest first
     Deposit kept_deposit = Deposit::none;  ///< of the members' records
     bool runs_on = true;                   ///< whether members that time.end cuts run on; not where they are compared
 
-    /// Number of members that the study will have, at most; with levels of runs that would cost as much.
+    /// Number of members that the study will have, at most.
     [[nodiscard]] std::size_t members() const;
     /// Returns the scene of a member, as `frana run` with its values reads it.
     [[nodiscard]] SceneReading member(std::size_t index) const;
@@ -72,7 +62,6 @@ void redraw(StudyInput& input);
 struct StudyTexts {
     StudyReading reading;
     SampleTable table;
-    std::vector<SampleTable> level_draws;
     std::vector<Slope> slopes;
     SceneReading central;  ///< its problems contain those of the study and of all members
 };

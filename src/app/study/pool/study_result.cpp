@@ -129,47 +129,14 @@ void scale_weights(FinishedMembers& members) {
 /// All runs with their weights among all.
 OpenRuns open_runs(const StudyInput& input, const RecordFiles& records, const StudyResult& result) {
     OpenRuns all;
-    const auto& runs = input.table.level_runs;
-    std::vector<double> counts(input.level_draws.size());  // of the pairs of each level
-    for (std::size_t i = 0; i < result.members.size() && !counts.empty(); ++i)
-        counts[runs[i].level] += runs[i].is_coarse ? 0 : 1;
-    for (std::size_t i = 0; i < result.members.size(); ++i) {
-        const MemberResult& one = result.members[i];
-        const double weight = counts.empty()      ? input.table.weights[one.member]
-                              : runs[i].is_coarse ? -1 / counts[runs[i].level]
-                                                  : 1 / counts[runs[i].level];
+    for (const MemberResult& one : result.members) {
         all.runs.records.push_back(records.place(one.member));
-        all.runs.weights.push_back(weight);
+        all.runs.weights.push_back(input.table.weights[one.member]);
         all.is_open.push_back(one.end.is_open() || !one.failure.empty());
     }
-    if (counts.empty()) scale_weights(all.runs);
+    scale_weights(all.runs);
     all.runs.store = std::make_shared<CellStore>(all.runs.records);
     return all;
-}
-
-/// Takes the members of a multilevel study of which every run finished. Each run counts as one of its level's members,
-/// the coarser of a pair negatively.
-void add_pairs(const StudyInput& input, const RecordFiles& records, StudyResult& result) {
-    const auto& runs = input.table.level_runs;
-    std::vector<double> counts(input.level_draws.size());
-    for (std::size_t i = 0; i < result.members.size(); ++i) {
-        if (runs[i].is_coarse) continue;
-        const bool is_pair = runs[i].level > 0;
-        if (!result.members[i].failure.empty() || (is_pair && !result.members[i + 1].failure.empty())) continue;
-        counts[runs[i].level] += 1;
-        for (std::size_t run = i; run <= i + (is_pair ? 1 : 0); ++run) {
-            add_finished(input, records, run, run, result.finished, result.finished_at);
-            result.finished.levels.push_back(runs[run].level);
-        }
-    }
-    if (std::find(counts.begin(), counts.end(), 0) != counts.end()) {  // without one of its levels the sum is wrong
-        result.finished = {};
-        result.finished_at.clear();
-    }
-    for (std::size_t i = 0; i < result.finished.size(); ++i) {
-        const double weight = 1 / counts[result.finished.levels[i]];
-        result.finished.weights[i] = runs[result.finished_at[i]].is_coarse ? -weight : weight;
-    }
 }
 
 /// Groups of a design of which every member finished; each gets the next number.
@@ -193,11 +160,6 @@ void choose_design(const StudyInput& input, const RecordFiles& records, StudyRes
         }
         result.design.store = result.finished.store;
         result.groups = groups.size();
-    } else if (!table.level_runs.empty()) {
-        for (const std::size_t place : result.finished_at)
-            if (table.level_runs[place].level == 0)
-                add_finished(input, records, place, place, result.design, result.design_at);
-        result.design.store = result.finished.store;
     } else {
         result.design = result.finished;
         result.design_at = result.finished_at;
@@ -248,14 +210,14 @@ Interval StudyResult::quantile_of(std::size_t index, double q) const {
             q + margin < 1 ? weighted_quantile(values, finished.weights, q + margin) : k_infinite};
 }
 
-double StudyResult::quantile_bound(std::size_t index, double q, bool upper) const {
+double StudyResult::quantile_bound(std::size_t index, double q) const {
     if (!open.any()) return weighted_quantile(figure(index), finished.weights, q);
     std::vector<double> values;
     for (std::size_t i = 0; i < members.size(); ++i) {
         const std::vector<Figure>& of = members[i].figures;
-        values.push_back(open.exceeds(i, upper) ? std::numeric_limits<double>::infinity()
-                         : index < of.size()    ? of[index].value
-                                                : 0);  // it failed before its first step
+        values.push_back(open.is_open[i]     ? std::numeric_limits<double>::infinity()
+                         : index < of.size() ? of[index].value
+                                             : 0);  // it failed before its first step
     }
     return weighted_quantile(values, open.runs.weights, q);
 }
@@ -272,32 +234,15 @@ StudyResult read_study_result(const StudyInput& input, const std::string& folder
         MemberRecord record = require_own_record(input, records.place(member), member);
         result.members.push_back({member, record.failure, std::move(record.end), std::move(record.figures),
                                   record.engine_seconds, record.particle_steps, record.grid().bounds()});
-        if (input.level_draws.empty() && result.members.back().failure.empty())
+        if (result.members.back().failure.empty())
             add_finished(input, records, member, result.members.size() - 1, result.finished, result.finished_at);
     }
-    if (input.level_draws.empty())
-        scale_weights(result.finished);
-    else
-        add_pairs(input, records, result);
+    scale_weights(result.finished);
     result.open = open_runs(input, records, result);
     result.finished.store = result.open.runs.store;
     choose_design(input, records, result);
     result.grid = input.base.scene.grid;
     return result;
-}
-
-Emulation emulation_of(const StudyInput& input, const StudyResult& result) {
-    // Of fewer it is not known well enough which estimate is better; more are alone as exact as anybody asks for.
-    constexpr std::size_t k_least_members = 32, k_most_members = 2048;
-    constexpr std::int64_t k_sample = 16384;
-    const StudySpec& study = input.reading.study;
-    Emulation emulation{result.points, {}};
-    const bool is_sample = method_of(study.sampling).kind == SamplingMethod::Kind::sample && !study.levels;
-    // Of members that failed nobody knows the outline, and the others have other distributions.
-    if (is_sample && result.failed() == 0 && result.finished.size() >= k_least_members &&
-        result.finished.size() <= k_most_members)
-        emulation.sample = dense_points(study, k_sample);
-    return emulation;
 }
 
 std::optional<RarePlace> rare_place_of(const StudyInput& input, const StudyResult& result) {
@@ -326,18 +271,10 @@ std::optional<RarePlace> rare_place_of(const StudyInput& input, const StudyResul
 }
 
 double largest_error(const StudyInput& input, const StudyResult& result) {
-    std::optional<Emulation> emulation;
     double largest = 0;
     for (const MappedEvents& events : mapped_events(input.base.spec)) {
-        ErrorSummary errors =
+        const ErrorSummary errors =
             error_of_first(result.finished, result.finished.size(), events.quantity, result.grid, events.thresholds);
-        if (errors.largest() > *input.reading.study.until) {  // polynomials may be better
-            if (!emulation) emulation = emulation_of(input, result);
-            for (const double threshold : events.thresholds)
-                if (!emulation->sample.places.empty())
-                    outline_maps(result.finished, *emulation, events.quantity, threshold, result.grid, false)
-                        .improve(errors);
-        }
         largest = std::max(largest, errors.largest());
     }
     return largest;
@@ -348,8 +285,7 @@ bool is_field_of_error(const StudyInput& input, std::size_t key) {
 }
 
 std::vector<FigureSensitivity> sensitivities(const StudyInput& input, const StudyResult& result) {
-    const bool is_morris = input.reading.study.sampling == Sampling::morris,
-               is_saltelli = result.groups >= k_least_groups && !is_morris;
+    const bool is_morris = input.reading.study.sampling == Sampling::morris;
     std::vector<FigureSensitivity> all;
     if (result.design_at.size() < 2 || !result.equal_weights()) return all;
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
@@ -358,11 +294,10 @@ std::vector<FigureSensitivity> sensitivities(const StudyInput& input, const Stud
         if (std::adjacent_find(output.begin(), output.end(), std::not_equal_to<>()) == output.end()) continue;
         const Chaos chaos = openturns().chaos(result.points, {output}, {}).front();
         FigureSensitivity one{result.figures()[f], {}, chaos.q2};
-        one.keys = is_saltelli                      ? sobol_indices(result.points, output, result.groups)
-                   : is_morris && result.groups > 1 ? elementary_effects(result.points, output, result.groups)
-                   : result.groups > 0              ? std::vector<KeySensitivity>(result.points.nominal.size())
-                                                    : rank_correlations(result.points, output);
-        for (std::size_t k = 0; k < one.keys.size() && !is_saltelli; ++k) {
+        one.keys = !is_morris          ? rank_correlations(result.points, output)
+                   : result.groups > 1 ? elementary_effects(result.points, output, result.groups)
+                                       : std::vector<KeySensitivity>(result.points.nominal.size());
+        for (std::size_t k = 0; k < one.keys.size(); ++k) {
             KeySensitivity& key = one.keys[k];
             constexpr double k_none = std::numeric_limits<double>::quiet_NaN();
             if (std::isnan(chaos.q2) || result.points.are_dependent || chaos.q2 < k_least_q2) {

@@ -62,9 +62,8 @@ struct StudyResult {
     std::vector<MemberResult> members;
     FinishedMembers finished;              ///< whose maps are used
     std::vector<std::size_t> finished_at;  ///< their places in `members`
-    /// Members of whole groups of Saltelli's or Morris' design, of a multilevel study those of the coarsest level, or
-    /// all finished ones: those that sensitivities use. `groups`: rows of the first matrix among them, 0 if the members
-    /// are independent.
+    /// Members of whole groups of Morris' design, or all finished ones: those that sensitivities use. `groups`: rows of
+    /// the first matrix among them, 0 if the members are independent.
     FinishedMembers design;
     std::vector<std::size_t> design_at;
     DesignPoints points;
@@ -80,10 +79,10 @@ struct StudyResult {
     [[nodiscard]] bool equal_weights() const;
     /// Returns a figure of the finished members, in their order.
     [[nodiscard]] std::vector<double> figure(std::size_t index) const;
-    /// Returns an upper or a lower bound of a quantile of a figure, if the open runs exceed everything; infinite: it
-    /// has none. Without such runs it is the quantile itself.
-    [[nodiscard]] double quantile_bound(std::size_t index, double q, bool upper) const;
-    /// Returns the mean of a figure; its error not of a multilevel study.
+    /// Returns an upper bound of a quantile of a figure, if the open runs exceed everything; infinite: it has none.
+    /// Without such runs it is the quantile itself.
+    [[nodiscard]] double quantile_bound(std::size_t index, double q) const;
+    /// Returns the mean of a figure.
     [[nodiscard]] Estimate mean_of(std::size_t index) const;
     /// Returns a quantile of a figure with its interval of 95 %: the quantiles at q -+ the margin of the probability
     /// that it is exceeded (Woodruff 1952, J. Am. Stat. Assoc. 47, 635); infinite where the members do not reach so
@@ -98,10 +97,6 @@ inline constexpr double k_most_failed = 0.05;
 
 /// Reads the records of the first `count` members. Throws Error(environment) for one that cannot be read.
 StudyResult read_study_result(const StudyInput& input, const std::string& folder, std::size_t count);
-
-/// Returns the inputs of the members for polynomials, with many more from the same distributions where the members are
-/// a sample of these and so few that polynomials may add to what they tell.
-Emulation emulation_of(const StudyInput& input, const StudyResult& result);
 
 /// What a study by importance sampling was made for.
 struct RarePlace {

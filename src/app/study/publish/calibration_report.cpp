@@ -127,13 +127,13 @@ void publish_calibration_maps(const CalibrationInput& input, const CalibrationRu
         const std::string name = "posterior_" + ground.event.name;
         const QuantityMaps maps = quantity_maps(ground.members(), Quantity::depth,
                                                 part_of(base.scene.grid, ground.window), {ground.threshold});
-        std::optional<RasterInterval> bounds;
+        std::optional<Raster> upper;
         if (ground.all.any())
-            bounds = std::move(probability_bounds(maps.probability, ground.all, Quantity::depth, {ground.threshold},
-                                                  maps.probability.front().grid)
-                                   .front());
+            upper = std::move(probability_bounds(maps.probability, ground.all, Quantity::depth, {ground.threshold},
+                                                 maps.probability.front().grid)
+                                  .front());
         MapWriter(base, directory)
-            .write_probability(name, maps.probability.front(), maps.margin.front(), bounds ? &bounds->upper : nullptr);
+            .write_probability(name, maps.probability.front(), maps.margin.front(), upper ? &*upper : nullptr);
         if (base.spec.output.maps.front() == "off") continue;
         directory.make_folder("maps");
         is_drawn("maps/" + name, log, [&] {

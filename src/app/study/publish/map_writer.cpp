@@ -18,30 +18,27 @@ void MapWriter::write(const std::string& name, const Raster& raster) const {
     write(name, {band_of(name, raster)});
 }
 
-gis::BandText MapWriter::bound_text(const std::string& name, const char* bound, const std::string& unit) const {
-    return {name + "_" + bound, std::string(bound) + " bound: runs whose full reach is not known could have come", unit,
-            metadata_};
+gis::BandText MapWriter::upper_text(const std::string& name, const std::string& unit) const {
+    return {name + "_upper", "upper bound: runs whose full reach is not known could have come", unit, metadata_};
 }
 
 void MapWriter::write_probability(const std::string& name, const Raster& probability, const Raster& margin,
-                                  const Raster* upper, const Raster* lower) const {
+                                  const Raster* upper) const {
     gis::BandText text{name + "_margin", "Half of the interval of 95 % of the probability", "-", metadata_};
     gis::RasterBand band = band_of(name, probability);
     band.zero_elsewhere = true;
     std::vector<gis::RasterBand> bands{band, {margin, text, true}};
-    if (upper != nullptr) bands.push_back({*upper, bound_text(name, "upper", "-"), true});
-    if (lower != nullptr) bands.push_back({*lower, bound_text(name, "lower", "-"), true});
+    if (upper != nullptr) bands.push_back({*upper, upper_text(name, "-"), true});
     write(name, bands);
 }
 
-void MapWriter::write_quantile(const std::string& name, const Raster& quantile, const std::optional<Raster>& upper,
-                               const Raster* lower) const {
+void MapWriter::write_quantile(const std::string& name, const Raster& quantile,
+                               const std::optional<Raster>& upper) const {
     gis::RasterBand band = band_of(name, quantile);
-    if (lower == nullptr) band.text.description += ", at least";
+    band.text.description += ", at least";
     if (!upper) band.text.description += "; without an upper bound";
     std::vector<gis::RasterBand> bands{band};
-    if (upper) bands.push_back({*upper, bound_text(name, "upper", band.text.unit)});
-    if (lower != nullptr) bands.push_back({*lower, bound_text(name, "lower", band.text.unit)});
+    if (upper) bands.push_back({*upper, upper_text(name, band.text.unit)});
     write(name, bands);
 }
 

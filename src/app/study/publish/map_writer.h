@@ -21,19 +21,17 @@ class MapWriter {
     MapWriter(const Prepared& base, const ResultDirectory& directory);
 
     void write(const std::string& name, const Raster& raster) const;
-    /// With its margin as second band; 0, not nodata, where nothing came. Bounds, where there are any, follow.
+    /// With its margin as second band; 0, not nodata, where nothing came. The upper bound, if any, is the third.
     void write_probability(const std::string& name, const Raster& probability, const Raster& margin,
-                           const Raster* upper = nullptr, const Raster* lower = nullptr) const;
+                           const Raster* upper = nullptr) const;
 
-    /// With bounds as next bands.
+    /// Itself a lower bound, with the upper one as next band.
     /// @param upper none: the quantile has none
-    /// @param lower null: the quantile itself is the lower one
-    void write_quantile(const std::string& name, const Raster& quantile, const std::optional<Raster>& upper,
-                        const Raster* lower) const;
+    void write_quantile(const std::string& name, const Raster& quantile, const std::optional<Raster>& upper) const;
 
   private:
-    /// Of the band with the "upper" or "lower" bound of a raster.
-    [[nodiscard]] gis::BandText bound_text(const std::string& name, const char* bound, const std::string& unit) const;
+    /// Of the band with the upper bound of a raster.
+    [[nodiscard]] gis::BandText upper_text(const std::string& name, const std::string& unit) const;
     [[nodiscard]] gis::RasterBand band_of(const std::string& name, const Raster& raster) const;
     void write(const std::string& name, const std::vector<gis::RasterBand>& bands) const;
 

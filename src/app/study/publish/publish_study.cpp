@@ -235,10 +235,6 @@ void write_member_outlines(const StudyInput& input, const StudyResult& result, c
         if (feature.parts.empty()) continue;
         feature.numbers["member"] = static_cast<double>(member.member);
         feature.numbers["weight"] = input.table.weights[member.member];
-        if (!input.table.level_runs.empty()) {
-            feature.numbers["weight"] = result.finished.weights[i];
-            feature.numbers["cell_size_m"] = input.table.level_runs[member.member].cell_size;
-        }
         add_end(member.end, feature.numbers, feature.texts);
         for (const Figure& figure : member.figures) feature.numbers[figure.key] = figure.value;
         for (std::size_t k = 0; k < input.table.keys.size(); ++k)
@@ -274,8 +270,7 @@ std::string percent(double fraction) {
     return number_text(100 * fraction, 2) + " %";
 }
 
-bool warn_of_failures(const StudyInput& input, const StudyResult& result, const std::vector<LevelSummary>& levels,
-                      RunLog& log) {
+bool warn_of_failures(const StudyInput& input, const StudyResult& result, RunLog& log) {
     if (result.failed() == 0) return false;
     for (const MemberResult& member : result.members)
         if (!member.failure.empty() && !input.slopes.empty())
@@ -289,10 +284,7 @@ bool warn_of_failures(const StudyInput& input, const StudyResult& result, const 
         "{1} of {2} members failed and are in no map; the first, member {3}: {4}. members.csv has the reason of each",
         {std::to_string(result.failed()), std::to_string(result.members.size()), std::to_string(first->member),
          first->failure.c_str()}));
-    const bool level_failed = std::any_of(levels.begin(), levels.end(), [](const LevelSummary& level) {
-        return static_cast<double>(level.failed) > k_most_failed * static_cast<double>(level.statistics.members);
-    });
-    return fraction > k_most_failed || level_failed;
+    return fraction > k_most_failed;
 }
 
 void warn_of_error(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, RunLog& log) {
@@ -311,11 +303,6 @@ void warn_of_error(const StudyInput& input, const StudyResult& result, const Stu
                        "Raise study.samples",
                        {std::to_string(rare->hits), std::to_string(result.finished_at.size()), rare->event.gauge}));
     }
-    for (const StudyFacts::EmulatedMap& one : facts.emulated)
-        log.note(one.raster +
-                 (one.is_used ? ": with polynomials of the keys beside the members, standard error "
-                              : ": of the members alone; with polynomials of the keys the error would be ") +
-                 number_text(one.error_ratio, 2) + " of that of the members alone");
     const auto& until = input.reading.study.until;
     if (until && facts.error.largest() > *until)
         log.warn(
@@ -374,17 +361,15 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
     StudyResult result = read_study_result(input, directory.folder(), study.members);
     StudyOutcome outcome;
     StudyFacts facts;
-    facts.levels = level_summaries(input, result);
     const bool is_region = input.reading.study.region.has_value();
     const std::vector<RunOfStudy> runs = result.runs();
     facts.troubles = troubles_of(runs, is_region);
-    facts.troubles.on_levels = !input.levels.empty();
     input.base.tags = {{"VARIED", joined(input.table.keys, ", ")},
                        {"RUNS", std::to_string(result.finished_at.size()) + " of " + std::to_string(runs.size())}};
-    if (facts.troubles.make_lower_bounds()) input.base.tags[k_lower_bound_item] = headline(facts.troubles).text();
+    if (facts.troubles.any()) input.base.tags[k_lower_bound_item] = headline(facts.troubles).text();
     outcome.has_troubles = facts.troubles.any();
     if (facts.troubles.any()) log.warn_first({headline(facts.troubles)});
-    outcome.too_many_failed = warn_of_failures(input, result, facts.levels, log);
+    outcome.too_many_failed = warn_of_failures(input, result, log);
     for (const Sentence& kind : kinds_of_warnings(runs, log.warnings())) log.warn(kind);
     const StudySpec echoed = seen_from(input.reading.study, directory.target());
     write_text_file(directory.path(is_region ? k_region_file : k_study_file),
@@ -405,7 +390,7 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
             publish_study_maps(input, result, directory, facts);
             facts.rare_place = rare_place_of(input, result);
             warn_of_error(input, result, facts, log);
-            facts.median = median_member(input, result);
+            facts.median = median_member(result);
             if (facts.median) film_member(input, result, *facts.median, directory, log);
         }
         write_member_outlines(input, result, directory.path(k_member_outlines));

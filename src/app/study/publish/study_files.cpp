@@ -176,7 +176,7 @@ std::string figure_title(const Figure& figure, const Words& words) {
 std::vector<ErrorAt> convergence_of(const StudyInput& input, const StudyResult& result) {
     constexpr std::size_t k_first = 8;
     std::vector<ErrorAt> all;
-    if (!input.levels.empty() || !input.table.parts.empty()) return all;  // its members are not exchangeable
+    if (!input.table.parts.empty()) return all;  // its members are not exchangeable
     const FinishedMembers& members = result.finished;
     for (std::size_t count = k_first;; count *= 2) {
         const std::size_t some = std::min(count, members.size());
@@ -254,7 +254,7 @@ class Builder {
             if (!result_.open.any()) return;
             for_each(quantity, [&](std::size_t feature, Values values) {
                 for (std::size_t t = 0; t < thresholds.size(); ++t)
-                    set(feature, names[t] + "_upper", sum_bound(result_.open, values, thresholds[t], true));
+                    set(feature, names[t] + "_upper", upper_bound(result_.open, values, thresholds[t]));
             });
         };
         add(Quantity::depth, {0}, {"probability_reached"});
@@ -322,14 +322,13 @@ namespace {
 
 /// Quantiles and moments, of depth and velocity alone.
 void write_distribution(const StudyResult& result, const QuantityMaps& maps, Quantity quantity, const std::string& name,
-                        bool on_levels, const MapWriter& writer) {
-    std::vector<std::optional<Raster>> upper, lower;
-    if (result.open.any()) upper = quantile_bounds(result.open, true, quantity, result.grid);
-    if (result.open.any() && on_levels) lower = quantile_bounds(result.open, false, quantity, result.grid);
+                        const MapWriter& writer) {
+    std::vector<std::optional<Raster>> upper;
+    if (result.open.any()) upper = quantile_bounds(result.open, quantity, result.grid);
     for (std::size_t q = 0; q < maps.quantile.size(); ++q) {
         const std::string file = "quantile_max_" + name + "_" + k_study_quantiles[q].name;
         if (result.open.any())
-            writer.write_quantile(file, maps.quantile[q], upper[q], on_levels ? &*lower[q] : nullptr);
+            writer.write_quantile(file, maps.quantile[q], upper[q]);
         else
             writer.write(file, maps.quantile[q]);
     }
@@ -409,37 +408,18 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
                         StudyFacts& facts) {
     const OutputSpec& output = input.base.spec.output;
     const MapWriter writer(input.base, directory);
-    const bool on_levels = !input.levels.empty();
     const std::vector<float> none(result.finished.size());
     facts.least_margin = MeanEstimate(result.finished).probability(none, 0).margin;
-    const Emulation emulation = emulation_of(input, result);
-    bool needs_fractions = result.equal_weights() && result.design_at.size() > 1 && !result.points.are_dependent;
-    const auto write_fractions = [&](const OutlineMaps& outlines) {
-        for (std::size_t k = 0; k < outlines.fractions.size(); ++k)
-            if (!is_field_of_error(input, k)) writer.write("sensitivity_" + input.table.keys[k], outlines.fractions[k]);
-    };
     for (const MappedEvents& events : mapped_events(input.base.spec)) {
-        QuantityMaps maps = quantity_maps(result.finished, events.quantity, result.grid, events.thresholds);
-        for (std::size_t t = 0; t < events.thresholds.size() && !emulation.sample.places.empty(); ++t) {
-            const bool is_first = events.quantity == Quantity::depth && t == 0;
-            const OutlineMaps outlines = outline_maps(result.finished, emulation, events.quantity, events.thresholds[t],
-                                                      result.grid, is_first && needs_fractions);
-            outlines.improve(maps.probability[t], maps.margin[t]);
-            outlines.improve(maps.errors);
-            if (!outlines.cells.empty())
-                facts.emulated.push_back({events.rasters[t], outlines.error_ratio, outlines.pays()});
-            write_fractions(outlines);
-            needs_fractions = needs_fractions && !is_first;
-        }
-        std::vector<RasterInterval> bounds;
+        const QuantityMaps maps = quantity_maps(result.finished, events.quantity, result.grid, events.thresholds);
+        std::vector<Raster> bounds;
         if (result.open.any())
             bounds = probability_bounds(maps.probability, result.open, events.quantity, events.thresholds, result.grid);
         for (std::size_t t = 0; t < events.rasters.size(); ++t)
             writer.write_probability(events.rasters[t], maps.probability[t], maps.margin[t],
-                                     bounds.empty() ? nullptr : &bounds[t].upper,
-                                     bounds.empty() || !on_levels ? nullptr : &bounds[t].lower);
+                                     bounds.empty() ? nullptr : &bounds[t]);
         if (events.quantity == Quantity::depth) {
-            write_distribution(result, maps, events.quantity, "depth", on_levels, writer);
+            write_distribution(result, maps, events.quantity, "depth", writer);
             writer.write("hit_count", maps.hits);
             if (!maps.probability.empty()) {
                 write_probability_outlines(input, maps.probability.front(), directory.path(k_outlines_file));
@@ -455,15 +435,18 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
             }
         }
         if (events.quantity == Quantity::velocity)
-            write_distribution(result, maps, events.quantity, "velocity", on_levels, writer);
+            write_distribution(result, maps, events.quantity, "velocity", writer);
         facts.error.add(maps.errors);
     }
     const QuantityMaps arrival = quantity_maps(result.finished, Quantity::arrival, result.grid, {});
     for (std::size_t q = 0; q < arrival.quantile.size(); ++q)
         writer.write(std::string("quantile_arrival_time_") + k_study_quantiles[q].name, arrival.quantile[q]);
-    if (!needs_fractions) return;
+    if (!result.equal_weights() || result.design_at.size() < 2 || result.points.are_dependent) return;
     const double threshold = output.depth_thresholds.empty() ? 0 : output.depth_thresholds.front();
-    write_fractions(outline_maps(result.design, {result.points, {}}, Quantity::depth, threshold, result.grid, true));
+    const std::vector<Raster> fractions =
+        outline_fractions(result.design, result.points, Quantity::depth, threshold, result.grid);
+    for (std::size_t k = 0; k < fractions.size(); ++k)
+        if (!is_field_of_error(input, k)) writer.write("sensitivity_" + input.table.keys[k], fractions[k]);
 }
 
 void write_member(const StudyInput& input, std::size_t member, const MemberRecord& record, const GridSpec& grid,

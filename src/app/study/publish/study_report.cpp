@@ -96,7 +96,7 @@ Document reached_by_runs(const StudyResult& result, const StudyFacts& facts, con
     if (const auto run_out = spread_of(result, k_run_out_key)) {
         const std::vector<std::string> numbers{number.grouped(run_out->median), number.grouped(run_out->low),
                                                number.grouped(run_out->high)};
-        text = facts.troubles.make_lower_bounds()
+        text = facts.troubles.any()
                    ? words(
                          "In at least half of the runs the material comes more than {1} m far in map view, in at most "
                          "5 % of them less than {2} m and in at least 5 % more than {3} m.",
@@ -113,11 +113,7 @@ Document reached_by_runs(const StudyResult& result, const StudyFacts& facts, con
                           {number(facts.reached_threshold), number.grouped(facts.reached_m2[2]),
                            number.grouped(facts.reached_m2[1]), number.grouped(facts.reached_m2[0])});
     if (const std::size_t unfinished = facts.troubles.unfinished(); unfinished > 0)
-        text += " " + words(facts.troubles.make_lower_bounds()
-                                ? worded("The full reach is not known of {1} of {2} runs: these values are lower "
-                                         "bounds.")
-                                : worded("The full reach is not known of {1} of {2} runs: as they count in "
-                                         "differences of levels, these values may be too small or too large."),
+        text += " " + words("The full reach is not known of {1} of {2} runs: these values are lower bounds.",
                             {std::to_string(unfinished), std::to_string(facts.troubles.runs)});
     return Document().paragraph(words("Where it goes."), text);
 }
@@ -136,7 +132,7 @@ Document reached_by_sources(const StudyInput& input, const StudyResult& result, 
         const std::vector<double> values = result.figure(*place);
         const auto farthest = static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
         text = words(
-            facts.troubles.make_lower_bounds()
+            facts.troubles.any()
                 ? worded("The farthest run-out is at least {1} m in map view, from source {2}; half of the sources "
                          "come more than {3} m far.")
                 : worded("The farthest run-out is {1} m in map view, from source {2}; half of the sources come more "
@@ -159,28 +155,6 @@ std::string runs_sentence(const StudyInput& input, const StudyResult& result, co
     return words(
         "{1} of {2} runs were computed; their values are drawn from the distributions (sampling {3}, seed {4}).",
         {finished, all, name_of(study.sampling), std::to_string(study.seed)});
-}
-
-/// What polynomials of the keys add to the runs.
-std::string polynomials_sentence(const StudyFacts& facts, const Words& words) {
-    if (facts.emulated.empty()) return "";
-    std::size_t used = 0;
-    double worst = 0, best = 1;
-    for (const StudyFacts::EmulatedMap& one : facts.emulated) {
-        if (!one.is_used) continue;
-        ++used;
-        worst = std::max(worst, one.error_ratio);
-        best = std::min(best, one.error_ratio);
-    }
-    const ReportNumbers number(words);
-    return " " +
-           (used == 0
-                ? words("Polynomials of the keys would not make the probabilities more certain: they are those of "
-                        "the runs alone.")
-                : words("In {1} of {2} maps of probability polynomials of the keys stand beside the runs: the "
-                        "standard error is {3} to {4} % of that of the runs alone.",
-                        {std::to_string(used), std::to_string(facts.emulated.size()), number.percent(best),
-                         number.percent(worst)}));
 }
 
 Document sure(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {
@@ -208,10 +182,9 @@ Document sure(const StudyInput& input, const StudyResult& result, const StudyFac
                     "probability less than {6} % is less than one run, and cannot be told from 0.",
                     {rare->event.gauge, number(rare->event.threshold), number.percent(rare->probability.value),
                      number.percent(rare->probability.low()), number.percent(rare->high), one_run});
-    else if (result.finished.levels.empty())
+    else
         text +=
             " " + words("A probability less than {1} % is less than one run, and cannot be told from 0.", {one_run});
-    text += polynomials_sentence(facts, words);
     text += " " + words("In the rasters of probability band 2 is half of the interval of 95 %.");
     if (result.open.any())
         text += " " + words(facts.rare_place
@@ -235,7 +208,7 @@ Document sure(const StudyInput& input, const StudyResult& result, const StudyFac
     return Document().paragraph(words("How sure."), text);
 }
 
-Document figures_table(const StudyResult& result, const StudyFacts& facts, const Words& words) {
+Document figures_table(const StudyResult& result, const Words& words) {
     if (result.figures().empty()) return {};
     const ReportNumbers number(words);
     Table table({words("value"), "", words("mean"), "5 %", "50 %", "95 %"});
@@ -243,13 +216,9 @@ Document figures_table(const StudyResult& result, const StudyFacts& facts, const
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
         const std::vector<double> values = result.figure(f);
         const auto quantile = [&](double q) {
-            const double value = weighted_quantile(values, weights, q), upper = result.quantile_bound(f, q, true);
-            const bool on_levels = result.open.any() && !facts.levels.empty();
-            const double least = on_levels ? result.quantile_bound(f, q, false) : value;
-            if (on_levels && std::isfinite(upper))
-                return words("{1} to {2}", {number.of_any_size(least), number.of_any_size(upper)});
-            const bool is_bound = on_levels || upper > value;  // open runs may exceed it
-            return (is_bound ? "> " : "") + number.of_any_size(least);
+            const double value = weighted_quantile(values, weights, q);
+            const bool is_bound = result.quantile_bound(f, q) > value;  // open runs may exceed it
+            return (is_bound ? "> " : "") + number.of_any_size(value);
         };
         const Figure& figure = result.figures()[f];
         table.row({figure_title(figure, words), ReportNumbers::unit(figure.unit),
@@ -322,7 +291,7 @@ Document study_answer(const StudyInput& input, const StudyResult& result, const 
 /// The figures of the runs with their mean and quantiles; of a region the areas of the degrees of hazard.
 Document study_values(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {
     if (input.reading.study.per_polygon()) return degrees_table(facts.degrees, words);
-    return figures_table(result, facts, words);
+    return figures_table(result, words);
 }
 
 /// The sources of a study in which each fails alone, those that come farthest first; empty for others.
@@ -402,22 +371,6 @@ Table keys_table(const StudyInput& input, const Words& words) {
     for (const Correlation& one : input.reading.study.correlate)
         table.row(
             {one.first + ", " + one.second, words("rank correlation {1}", {words.number(shortest_text(one.rho))})});
-    return table;
-}
-
-Table levels_table(const std::vector<LevelSummary>& levels, const Words& words) {
-    const ReportNumbers number(words);
-    double all = 0;
-    for (const LevelSummary& level : levels) all += level.statistics.cost * static_cast<double>(level.members);
-    Table table({words("level"), words("cells [m]"), words("members"),
-                 words("variance of the difference, of that on level 0 [%]"), words("part of the cost [%]")});
-    for (std::size_t l = 0; l < levels.size(); ++l) {
-        const LevelSummary& level = levels[l];
-        const double cost = level.statistics.cost * static_cast<double>(level.members);
-        table.row({std::to_string(l), number(level.cell_size), std::to_string(level.members),
-                   number.percent(level.statistics.variance / levels.front().statistics.variance),
-                   number.percent(cost / all)});
-    }
     return table;
 }
 
@@ -526,7 +479,6 @@ std::string title_of(const StudyInput& input, const Words& words) {
 void add_inputs(const StudyInput& input, const StudyFacts& facts, const Words& words, Document& page) {
     page.heading("inputs", words("Distributions and inputs"));
     if (!input.reading.study.vary.empty()) page.add(keys_table(input, words));
-    if (!facts.levels.empty()) page.subheading(words("Levels")).add(levels_table(facts.levels, words));
     if (input.base.friction) {
         const ShownFriction shown = shown_friction(input);
         const auto notes = study_friction_notes(shown.of, joined(shown.varied, ", "), words);

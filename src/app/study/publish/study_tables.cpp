@@ -49,12 +49,6 @@ void remove_frames(const ResultDirectory& directory) {
     std::filesystem::remove_all(directory.path(k_frame_folder), ignored);
 }
 
-/// Members of a multilevel study may be on larger cells.
-bool is_on_own_cells(const StudyInput& input, std::size_t member) {
-    if (input.table.level_runs.empty()) return true;
-    return input.table.level_runs[member].cell_size == input.levels.back().cell_size;
-}
-
 std::string sentence(const MedianMember& median) {
     return "member " + std::to_string(median.member) + ", " + median.figure.title + " " + grouped(median.figure.value) +
            " " + median.figure.unit + " (median of all " + grouped(median.median) + ")";
@@ -62,14 +56,13 @@ std::string sentence(const MedianMember& median) {
 
 }  // namespace
 
-std::optional<MedianMember> median_member(const StudyInput& input, const StudyResult& result) {
+std::optional<MedianMember> median_member(const StudyResult& result) {
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
         if (result.figures()[f].key != k_median_figure) continue;
         const std::vector<double> values = result.figure(f);
         const double median = weighted_quantile(values, result.finished.weights, 0.5);
         std::optional<std::size_t> nearest;
         for (std::size_t i = 0; i < values.size(); ++i) {
-            if (!is_on_own_cells(input, result.members[result.finished_at[i]].member)) continue;
             if (!nearest || std::abs(values[i] - median) < std::abs(values[*nearest] - median)) nearest = i;
         }
         if (!nearest) return std::nullopt;
@@ -154,9 +147,7 @@ std::string slope_cells(const StudyInput& input, const MemberResult& member) {
 
 std::string members_csv(const StudyInput& input, const StudyResult& result) {
     const std::vector<std::string> figures = figure_columns(result);
-    const bool has_levels = !input.table.level_runs.empty();
     std::string text = "member,status,weight";
-    if (has_levels) text += std::string(",level,") + k_cell_size_key;
     text += slope_columns(input);
     for (const std::string& key : input.table.keys) text += "," + csv_cell(key);
     // A member that was cut ran on: its row repeats it all the same.
@@ -167,16 +158,9 @@ std::string members_csv(const StudyInput& input, const StudyResult& result) {
     text += ",engine_seconds";
     for (const char* column : k_end_columns) text += std::string(",") + column;
     text += ",reason\n";
-    std::vector<double> weights(result.members.size());  // 0: not used
-    for (std::size_t i = 0; i < result.finished.size(); ++i)
-        weights[result.finished_at[i]] = result.finished.weights[i];
     for (const MemberResult& member : result.members) {
         text += std::to_string(member.member) + (member.failure.empty() ? ",finished," : ",failed,") +
-                shortest_text(has_levels ? weights[member.member] : input.table.weights[member.member]);
-        if (has_levels) {
-            const SampleTable::LevelRun& run = input.table.level_runs[member.member];
-            text += "," + std::to_string(run.level) + "," + shortest_text(run.cell_size);
-        }
+                shortest_text(input.table.weights[member.member]);
         text += slope_cells(input, member);
         for (const std::string& value : input.table.values[member.member]) text += "," + csv_cell(value);
         if (has_end) text += "," + (member.end.stop_reason.empty() ? "" : shortest_text(member.end.end));
@@ -251,20 +235,11 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
         varied.push_back({{"key", one.key}, {"distribution", one.distribution.text}});
     if (study.vary.empty() && !study.per_polygon())
         for (const std::string& key : input.table.keys) varied.push_back({{"key", key}, {"distribution", "table"}});
-    if (facts.levels.empty()) json["effective_members"] = result.finished.effective_size();
-    for (const LevelSummary& level : facts.levels)
-        json["levels"].push_back({{"cell_size", level.cell_size},
-                                  {"members", level.members},
-                                  {"failed", level.failed},
-                                  {"variance", level.statistics.variance},
-                                  {"particle_steps_per_member", level.statistics.cost}});
+    json["effective_members"] = result.finished.effective_size();
     if (!study.per_polygon()) {
         json["largest_standard_error"] = facts.error.largest();
         json["mean_standard_error"] = facts.error.mean();
         json["margin_at_0_and_1"] = facts.least_margin;
-        for (const StudyFacts::EmulatedMap& one : facts.emulated)
-            json["polynomials"].push_back(
-                {{"raster", one.raster}, {"error_ratio", one.error_ratio}, {"used", one.is_used}});
     }
     if (study.until)
         json["until"] = {{"standard_error", *study.until}, {"reached", facts.error.largest() <= *study.until}};
@@ -286,7 +261,7 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
         Json& figure = json["figures"][result.figures()[f].key];
         figure["mean"] = result.mean_of(f).value;
-        if (facts.levels.empty()) figure["standard_error_of_mean"] = result.mean_of(f).error;
+        figure["standard_error_of_mean"] = result.mean_of(f).error;
         const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
         for (const StudyQuantile& quantile : k_study_quantiles) {
             const std::string name = std::string("q") + quantile.name;
@@ -295,8 +270,7 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
             figure["interval_95"][name] = {number(of_q.low), number(of_q.high)};
             if (!result.open.any()) continue;
             // Runs whose full reach is not known may have come farther: null is "more than q".
-            figure["upper_bound"][name] = number(result.quantile_bound(f, quantile.fraction, true));
-            if (!facts.levels.empty()) figure["lower_bound"][name] = result.quantile_bound(f, quantile.fraction, false);
+            figure["upper_bound"][name] = number(result.quantile_bound(f, quantile.fraction));
         }
     }
     if (const auto& rare = facts.rare_place)

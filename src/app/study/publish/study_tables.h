@@ -10,7 +10,6 @@
 #include "app/publish/publish_hazard.h"
 #include "app/store/result_directory.h"
 #include "app/study/plan/study_input.h"
-#include "app/study/pool/rounds.h"
 #include "app/study/pool/study_result.h"
 
 namespace frana::app::study {
@@ -25,9 +24,9 @@ struct MedianMember {
     double median = 0;  ///< weighted, of all members
 };
 
-/// Returns the member on the scene's own cells whose figure is nearest to the weighted median of all, of several the
+/// Returns the member whose figure is nearest to the weighted median of all, of several the
 /// first. None if no member finished.
-std::optional<MedianMember> median_member(const StudyInput& input, const StudyResult& result);
+std::optional<MedianMember> median_member(const StudyResult& result);
 
 /// Runs a member again, with frames, and writes animation.mp4 if the scene asks for one; the terrain and the outlines
 /// of the study must have been written. The frames are removed. There is a warning if the animation could not
@@ -45,16 +44,8 @@ struct StudyFacts {
     Troubles troubles;
     ErrorSummary error;       ///< of all maps of probability
     double least_margin = 1;  ///< Estimate::margin of a probability of 0 or 1
-    /// Maps of probability for which polynomials of the keys were tried.
-    struct EmulatedMap {
-        std::string raster;
-        double error_ratio = 1;  ///< OutlineMaps::error_ratio
-        bool is_used = false;
-    };
-    std::vector<EmulatedMap> emulated;
     std::optional<MedianMember> median;
     std::optional<RarePlace> rare_place;
-    std::vector<LevelSummary> levels;  ///< of a multilevel study
     std::optional<ExposureTotals> exposure;
     std::vector<FrictionArea> friction_areas;  ///< of the ground that at least one run reached
     std::string date;                          ///< the day it was written, "2026-11-24"

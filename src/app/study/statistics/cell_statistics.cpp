@@ -33,7 +33,7 @@ FinishedMembers FinishedMembers::first(std::size_t count) const {
     FinishedMembers some = *this;
     some.records.resize(count);
     some.weights.resize(count);
-    for (auto* const list : {&some.replicates, &some.levels, &some.columns})
+    for (auto* const list : {&some.replicates, &some.columns})
         if (!list->empty()) list->resize(count);
     return some;
 }
@@ -61,45 +61,12 @@ void for_each_reached_cell(const FinishedMembers& members, Quantity quantity, co
     });
 }
 
-double sum_bound(const OpenRuns& runs, std::span<const float> values, double threshold, bool upper) {
+double upper_bound(const OpenRuns& runs, std::span<const float> values, double threshold) {
     double sum = 0;
     for (std::size_t m = 0; m < values.size(); ++m)
-        if (static_cast<double>(values[m]) > threshold || runs.exceeds(m, upper)) sum += runs.runs.weights[m];
+        if (static_cast<double>(values[m]) > threshold || runs.is_open[m]) sum += runs.runs.weights[m];
     return std::clamp(sum, 0.0, 1.0);
 }
-
-namespace {
-
-/// The runs of a level; on the coarsest one they are no pairs.
-struct LevelRuns {
-    double count = 0;
-    double fine = 0, coarse = 0, both = 0;  ///< pairs of which the finer run exceeds, the coarser one, both
-
-    /// Of the difference of the two indicators (0 or 1); infinite of fewer than two members.
-    [[nodiscard]] double variance() const noexcept {
-        if (count < 2) return std::numeric_limits<double>::infinity();
-        return std::max(0.0, fine + coarse - 2 * both - (fine - coarse) * (fine - coarse) / count) / (count - 1);
-    }
-};
-
-/// By level; the event is that a value exceeds the threshold.
-std::vector<LevelRuns> level_runs(const FinishedMembers& members, std::span<const float> values, double threshold) {
-    std::vector<LevelRuns> levels;
-    const auto exceeds = [&](std::size_t m) { return static_cast<double>(values[m]) > threshold; };
-    for (std::size_t m = 0; m < values.size(); ++m) {
-        if (members.weights[m] < 0) continue;  // belongs to the one before
-        const bool is_pair = m + 1 < values.size() && members.weights[m + 1] < 0, coarse = is_pair && exceeds(m + 1);
-        levels.resize(std::max(levels.size(), members.levels[m] + 1));
-        LevelRuns& level = levels[members.levels[m]];
-        level.count += 1;
-        level.fine += exceeds(m) ? 1 : 0;
-        level.coarse += coarse ? 1 : 0;
-        level.both += exceeds(m) && coarse ? 1 : 0;
-    }
-    return levels;
-}
-
-}  // namespace
 
 MeanEstimate::MeanEstimate(const FinishedMembers& members)
     : members_(members), effective_size_(members.effective_size()) {
@@ -110,35 +77,6 @@ MeanEstimate::MeanEstimate(const FinishedMembers& members)
         parts_.resize(part / k_replicates + 1);
         ++parts_.back();
     }
-}
-
-MeanEstimate::MeanEstimate(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
-                           const std::vector<double>& thresholds)
-    : MeanEstimate(members) {
-    if (members.levels.empty()) return;
-    struct Counts {
-        double above = 0, both_above = 0, below = 0, both_below = 0;
-    };
-    std::map<double, std::vector<Counts>> sums;
-    for_each_reached_cell(members, quantity, grid, [&](std::size_t, std::span<const float> values) {
-        for (const double threshold : thresholds) {
-            const std::vector<LevelRuns> levels = level_runs(members, values, threshold);
-            std::vector<Counts>& counts = sums[threshold];
-            counts.resize(std::max(counts.size(), levels.size()));
-            for (std::size_t l = 1; l < levels.size(); ++l) {
-                const LevelRuns& level = levels[l];
-                counts[l].above += level.coarse == 1 ? 1 : 0;
-                counts[l].both_above += level.coarse == 1 ? level.both : 0;
-                const bool one_below = level.count - level.coarse == 1;
-                counts[l].below += one_below ? 1 : 0;
-                counts[l].both_below += one_below ? 1 - (level.fine - level.both) : 0;
-            }
-        }
-    });
-    for (const auto& [threshold, counts] : sums)
-        for (const Counts& one : counts)
-            agreement_[threshold].push_back(
-                {one.above > 0 ? one.both_above / one.above : 1, one.below > 0 ? one.both_below / one.below : 1});
 }
 
 namespace {
@@ -184,7 +122,6 @@ Estimate MeanEstimate::of(const ValueOf& value) const {
 }
 
 Estimate MeanEstimate::probability(std::span<const float> values, double threshold) const {
-    if (!members_.levels.empty()) return on_levels(values, threshold);
     const auto exceeds = [&](std::size_t m) { return static_cast<double>(values[m]) > threshold ? 1.0 : 0.0; };
     Estimate p = of(exceeds);
     const double nearer_half = (effective_size_ * p.value + 2) / (effective_size_ + 4);
@@ -209,50 +146,6 @@ double MeanEstimate::of_few(const Exceeds& exceeds) const {
     return 2 * one * one;
 }
 
-Estimate MeanEstimate::on_levels(std::span<const float> values, double threshold) const {
-    const std::vector<LevelRuns> levels = level_runs(members_, values, threshold);
-    FinishedMembers coarsest;
-    std::vector<double> exceeds;
-    for (std::size_t m = 0; m < values.size(); ++m) {
-        if (members_.levels[m] > 0) continue;
-        coarsest.weights.push_back(1);
-        if (!parts_.empty()) coarsest.replicates.push_back(members_.replicates[m]);
-        exceeds.push_back(static_cast<double>(values[m]) > threshold ? 1 : 0);
-    }
-    const Estimate first = MeanEstimate(coarsest).mean(exceeds);
-    double p = first.value, variance = first.error * first.error;
-    bool none = p == 0, all = p == 1;
-    const auto found = agreement_.find(threshold);
-    for (std::size_t l = 1; l < levels.size(); ++l) {
-        const LevelRuns& level = levels[l];
-        const Agreement agreement =
-            found == agreement_.end() || l >= found->second.size() ? Agreement{} : found->second[l];
-        const double below = level.count - level.coarse, only_fine = level.fine - level.both;
-        // As the two runs of a pair exceed equally often, what one says of a follows from what is known of b.
-        const double other_a = level.coarse > 0 && p > 0
-                                   ? std::max(agreement.exceeds, 1 - (1 - p) * (1 - agreement.stays_below) / p)
-                                   : agreement.exceeds,
-                     other_b = below > 0 && p < 1
-                                   ? std::min(1 - agreement.stays_below, p * (1 - agreement.exceeds) / (1 - p))
-                                   : 1 - agreement.stays_below;
-        const auto spread = [](double hits, double count, double other) {
-            const double fraction = (hits + other) / (count + 1);
-            return fraction * (1 - fraction) / (count + 1);
-        };
-        const double a = level.coarse > 0 ? level.both / level.coarse : other_a,
-                     b = below > 0 ? only_fine / below : other_b;
-        variance = (a - b) * (a - b) * variance + p * p * spread(level.both, level.coarse, other_a) +
-                   (1 - p) * (1 - p) * spread(only_fine, below, other_b);
-        if (level.count < 2) variance = std::numeric_limits<double>::infinity();
-        p = p * a + (1 - p) * b;
-        none = none && level.fine == 0 && level.coarse == 0;
-        all = all && level.fine == level.count && level.coarse == level.count;
-    }
-    if (!std::isfinite(variance)) return {p, k_unknown_error, 1};
-    const double error = none || all ? 0 : std::sqrt(variance);
-    return {p, error, std::min(1.0, error > 0 ? k_normal * error : 3 / effective_size_)};
-}
-
 Estimate MeanEstimate::mean(std::span<const double> values) const {
     return of([&](std::size_t m) { return values[m]; });
 }
@@ -269,8 +162,6 @@ double quantile_of(std::span<const Value> values, const std::vector<double>& wei
     double sum = 0;
     for (std::size_t i = 0; i < order.size(); ++i) {
         sum += weights[order[i]];
-        // Weights of a multilevel study have either sign: only with all members of a value is its sum meant.
-        if (i + 1 < order.size() && values[order[i + 1]] == values[order[i]]) continue;
         if (sum >= q - k_weight_rounding) return static_cast<double>(values[order[i]]);
     }
     return static_cast<double>(values[order.back()]);
@@ -286,21 +177,6 @@ double weighted_quantile(std::span<const float> values, const std::vector<double
 double weighted_quantile(const std::vector<double>& values, const std::vector<double>& weights, double q) {
     std::vector<std::size_t> order;
     return quantile_of(std::span<const double>(values), weights, q, order);
-}
-
-LevelVariances level_variances(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
-                               const std::vector<double>& thresholds, std::size_t levels) {
-    LevelVariances sums{std::vector<double>(levels), 0};
-    for_each_reached_cell(members, quantity, grid, [&](std::size_t, std::span<const float> values) {
-        for (const double threshold : thresholds) {
-            const std::vector<LevelRuns> at = level_runs(members, values, threshold);
-            for (std::size_t l = 0; l < at.size(); ++l)
-                if (at[l].count > 1) sums.differences[l] += at[l].variance();
-            const LevelRuns last = at.size() == levels ? at.back() : LevelRuns{};
-            if (last.count > 1) sums.own += LevelRuns{last.count, last.fine, 0, 0}.variance();
-        }
-    });
-    return sums;
 }
 
 void for_each_feature(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,

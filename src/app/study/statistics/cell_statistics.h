@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
-#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -25,12 +24,8 @@ double effective_count(const std::vector<double>& weights);
 /// The finished members of a study, in the order of their numbers.
 struct FinishedMembers {
     std::vector<RecordPlace> records;
-    /// As many; their sum is 1. In a multilevel study the coarser run of a pair has the negative weight of its finer
-    /// one.
-    std::vector<double> weights;
+    std::vector<double> weights;          ///< as many; their sum is 1
     std::vector<std::size_t> replicates;  ///< SampleTable::replicate_of each; empty: all are independent
-    /// Of a multilevel study: the level of each run; the coarser one of a pair follows its finer one. Empty: one level.
-    std::vector<std::size_t> levels{};
     /// Their records' values by cells, with others; `columns`: their places in it. Null: made whenever it is needed.
     std::shared_ptr<CellStore> store{};
     std::vector<std::size_t> columns{};
@@ -48,19 +43,14 @@ struct OpenRuns {
     std::vector<bool> is_open;  ///< of each: it was cut, held, left the ground or failed
 
     [[nodiscard]] bool any() const { return std::find(is_open.begin(), is_open.end(), true) != is_open.end(); }
-    /// Whether a run is taken to exceed everything for the upper bound of a sum, or for the lower one: there it is
-    /// where it counts negatively, the coarser one of a pair of levels.
-    [[nodiscard]] bool exceeds(std::size_t run, bool upper) const {
-        return is_open[run] && (runs.weights[run] > 0) == upper;
-    }
 };
 
-/// Returns a bound of the probability that a value exceeds a threshold, from the values of all runs.
-double sum_bound(const OpenRuns& runs, std::span<const float> values, double threshold, bool upper);
+/// Returns the probability that a value exceeds a threshold if every open run exceeds it.
+double upper_bound(const OpenRuns& runs, std::span<const float> values, double threshold);
 
 /// Calls visit(cell, values) for every cell of a grid that any member reached, in order of cells; values has one number
-/// for each member, 0 (arrival: infinity) where it did not come. A run on larger cells has one value for all cells of
-/// the grid within each of its own. Memory is bounded by a budget, whatever the number of members and cells, and each
+/// for each member, 0 (arrival: infinity) where it did not come.
+/// Memory is bounded by a budget, whatever the number of members and cells, and each
 /// record is read once (CellStore). Throws Error(environment) for a record that cannot be read.
 void for_each_reached_cell(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
                            const std::function<void(std::size_t cell, std::span<const float> values)>& visit);
@@ -99,32 +89,15 @@ struct Estimate {
 /// hit weighs to the variance. So it does in rounds. A probability whose standard error is 0 is not certain: with
 /// p = 3 / n none of n members exceeds in 5 % of studies, and with 3 / R one of R replicates, each of n / R members,
 /// counts one more. Where members have weights, 1 / n is the greatest: nowhere are they drawn more thinly.
-/// With levels p is that of the coarsest cells, and from level to level p a + (1 - p) b, with the fractions a and b of
-/// pairs whose finer run exceeds where the coarser one does and where it does not (double sampling for stratification,
-/// Cochran 1977, section 12.2): in [0, 1], and at least as certain as the sum of differences. Where no coarser run
-/// exceeds, or all do, a or b is that of cells with one such pair. The variance is (a - b)^2 that of the coarser p,
-/// with p^2 and (1 - p)^2 times those of the fractions, as one pair more with what other cells say would give them.
 class MeanEstimate {
   public:
     explicit MeanEstimate(const FinishedMembers& members);
-    /// For maps of these events: with levels looks at all their cells first.
-    MeanEstimate(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
-                 const std::vector<double>& thresholds);
     [[nodiscard]] Estimate probability(std::span<const float> values, double threshold) const;
-    /// With levels without error.
     [[nodiscard]] Estimate mean(std::span<const double> values) const;
 
   private:
     template <class ValueOf>
     [[nodiscard]] Estimate of(const ValueOf& value) const;
-    [[nodiscard]] Estimate on_levels(std::span<const float> values, double threshold) const;
-
-    /// Fractions of pairs of a level whose finer run does what the coarser one does, in cells where one pair alone
-    /// does.
-    struct Agreement {
-        double exceeds = 1, stays_below = 1;
-    };
-    std::map<double, std::vector<Agreement>> agreement_;  ///< by threshold and level
 
     /// By how much a hit, or a miss, whichever is rarer, adds to the variance that it may be known too badly.
     template <class Exceeds>
@@ -145,14 +118,6 @@ double weighted_quantile(std::span<const float> values, const std::vector<double
 
 /// The same for a figure of the members; the weights have a sum of 1.
 double weighted_quantile(const std::vector<double>& values, const std::vector<double>& weights, double q);
-
-/// Sums of variances over all cells and thresholds: of the difference of each level, and of the finest runs themselves.
-struct LevelVariances {
-    std::vector<double> differences;
-    double own = 0;
-};
-LevelVariances level_variances(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
-                               const std::vector<double>& thresholds, std::size_t levels);
 
 /// Calls visit(feature, values) for every feature, in order; values has one number for each member: the greatest value
 /// in any of the feature's cells (arrival: the least), 0 (arrival: infinity) where the member reached none. Memory is

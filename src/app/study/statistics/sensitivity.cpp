@@ -13,17 +13,6 @@
 namespace frana::app::study {
 namespace {
 
-/// The estimator divides by the variance in A, and in each other matrix.
-bool varies_in_every_matrix(const std::vector<double>& output, std::size_t groups) {
-    for (std::size_t first = 0; first < output.size(); first += groups) {
-        const auto begin = output.begin() + static_cast<std::ptrdiff_t>(first);
-        if (std::all_of(begin, begin + static_cast<std::ptrdiff_t>(groups),
-                        [&](double value) { return value == *begin; }))
-            return false;
-    }
-    return true;
-}
-
 /// Mean ranks: equal values share the mean of theirs.
 std::vector<double> ranks_of(const std::vector<double>& values) {
     std::vector<std::size_t> order(values.size());
@@ -91,12 +80,6 @@ std::vector<double> column_of(const DesignPoints& points, std::size_t key) {
 }
 
 }  // namespace
-
-std::vector<KeySensitivity> sobol_indices(const DesignPoints& points, const std::vector<double>& output,
-                                          std::size_t groups) {
-    if (groups > 1 && varies_in_every_matrix(output, groups)) return openturns().indices(points, output, groups);
-    return std::vector<KeySensitivity>(points.nominal.size());
-}
 
 std::vector<KeySensitivity> elementary_effects(const DesignPoints& points, const std::vector<double>& output,
                                                std::size_t groups) {

@@ -11,24 +11,14 @@
 
 namespace frana::app::study {
 
-/// Least q2 of polynomials from which fractions of the variance are told, and least groups of Saltelli's design: with
-/// fewer the estimator's interval does not hold the truth as often as it says.
+/// Least q2 of polynomials from which fractions of the variance are told.
 inline constexpr double k_least_q2 = 0.7;
-inline constexpr std::size_t k_least_groups = 500;
 /// With more keys polynomials of products need more members than most studies have: Morris' design finds those that
 /// matter.
 inline constexpr std::size_t k_many_keys = 6;
 inline constexpr const char* k_screening_advice = worded(
     "With so many keys find those that matter first: sampling = morris with ten times as many members as keys plus 1, "
     "then vary only these.");
-
-/// Returns Sobol' indices by Martinez's estimator (2011), with intervals from its asymptotic distribution.
-/// @param points rows of Saltelli's design: A, B, then A with one column of B each
-/// @param output by row
-/// @param groups rows of A
-/// @return by key; without method where the output does not vary
-std::vector<KeySensitivity> sobol_indices(const DesignPoints& points, const std::vector<double>& output,
-                                          std::size_t groups);
 
 /// Returns the elementary effects of Morris' design, with the interval of their mean from its scatter over the groups.
 /// @param output by row: the points, then each key moved

@@ -103,7 +103,6 @@ Arrived arrived_of(std::span<const float> values, const std::vector<double>& wei
         arrived.weights.push_back(weights[m]);
         sum += weights[m];
     }
-    if (!(sum > 0)) return {};  // only in a multilevel study: it is estimated that no run comes
     for (double& weight : arrived.weights) weight /= sum;
     return arrived;
 }
@@ -119,21 +118,20 @@ void add_moments(std::span<const float> values, const std::vector<double>& weigh
         const double difference = static_cast<double>(values[m]) - mean;
         squares += weights[m] * difference * difference;
     }
-    // Below 0 only by estimate, with levels.
-    maps.mean.values[cell] = std::max(0.0, mean);
-    maps.deviation.values[cell] = std::sqrt(std::max(0.0, squares));
+    maps.mean.values[cell] = mean;
+    maps.deviation.values[cell] = std::sqrt(squares);
     maps.hits.values[cell] = hits;
 }
 
 }  // namespace
 
-void ErrorSummary::count(const Estimate& probability, double times) {
+void ErrorSummary::add(const Estimate& probability) {
     if (!(probability.error > 0)) return;
     const auto most = static_cast<double>(classes_.size()) - 1;
     Class& one = classes_[static_cast<std::size_t>(std::clamp((most + 1) * probability.value, 0.0, most))];
-    one.count += times;
-    one.sum += times * probability.error;
-    one.squares += times * probability.error * probability.error;
+    one.count += 1;
+    one.sum += probability.error;
+    one.squares += probability.error * probability.error;
 }
 
 void ErrorSummary::add(const ErrorSummary& other) {
@@ -165,7 +163,7 @@ QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, co
     QuantityMaps maps;
     const bool arrival = quantity == Quantity::arrival,
                has_distribution = quantity == Quantity::depth || quantity == Quantity::velocity;
-    const MeanEstimate estimate(members, quantity, grid, thresholds);
+    const MeanEstimate estimate(members);
     if (!arrival) {
         maps.probability.assign(thresholds.size(), Raster(grid));
         const std::vector<float> nowhere(members.size());
@@ -200,39 +198,31 @@ QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, co
     return maps;
 }
 
-std::vector<RasterInterval> probability_bounds(const std::vector<Raster>& probability, const OpenRuns& runs,
-                                               Quantity quantity, const std::vector<double>& thresholds,
-                                               const GridSpec& grid) {
+std::vector<Raster> probability_bounds(const std::vector<Raster>& probability, const OpenRuns& runs, Quantity quantity,
+                                       const std::vector<double>& thresholds, const GridSpec& grid) {
     const std::vector<float> nothing(runs.is_open.size(), 0.0F);
-    std::vector<RasterInterval> bounds;
-    for (const double threshold : thresholds)
-        bounds.push_back({Raster(grid, sum_bound(runs, nothing, threshold, false)),
-                          Raster(grid, sum_bound(runs, nothing, threshold, true))});
+    std::vector<Raster> bounds;
+    for (const double threshold : thresholds) bounds.emplace_back(grid, upper_bound(runs, nothing, threshold));
     for_each_reached_cell(runs.runs, quantity, grid, [&](std::size_t cell, std::span<const float> values) {
-        for (std::size_t t = 0; t < thresholds.size(); ++t) {
-            const double p = probability[t].values[cell];
-            bounds[t].lower.values[cell] = std::min(p, sum_bound(runs, values, thresholds[t], false));
-            bounds[t].upper.values[cell] = std::max(p, sum_bound(runs, values, thresholds[t], true));
-        }
+        for (std::size_t t = 0; t < thresholds.size(); ++t)
+            bounds[t].values[cell] = std::max(probability[t].values[cell], upper_bound(runs, values, thresholds[t]));
     });
     return bounds;
 }
 
-std::vector<std::optional<Raster>> quantile_bounds(const OpenRuns& runs, bool upper, Quantity quantity,
-                                                   const GridSpec& grid) {
+std::vector<std::optional<Raster>> quantile_bounds(const OpenRuns& runs, Quantity quantity, const GridSpec& grid) {
     double open = 0;
-    for (std::size_t m = 0; m < runs.is_open.size(); ++m) open += runs.exceeds(m, true) ? runs.runs.weights[m] : 0;
+    for (std::size_t m = 0; m < runs.is_open.size(); ++m) open += runs.is_open[m] ? runs.runs.weights[m] : 0;
     std::vector<std::optional<Raster>> bounds;
     for (const StudyQuantile& quantile : k_study_quantiles)
-        bounds.push_back(upper && open > 1 - quantile.fraction + k_weight_rounding
-                             ? std::nullopt
-                             : std::optional(Raster(grid, k_no_data)));
+        bounds.push_back(open > 1 - quantile.fraction + k_weight_rounding ? std::nullopt
+                                                                          : std::optional(Raster(grid, k_no_data)));
     std::vector<std::size_t> order;
     std::vector<float> extreme;
     for_each_reached_cell(runs.runs, quantity, grid, [&](std::size_t cell, std::span<const float> values) {
         extreme.assign(values.begin(), values.end());
         for (std::size_t m = 0; m < extreme.size(); ++m)
-            if (runs.exceeds(m, upper)) extreme[m] = std::numeric_limits<float>::infinity();
+            if (runs.is_open[m]) extreme[m] = std::numeric_limits<float>::infinity();
         for (std::size_t q = 0; q < bounds.size(); ++q) {
             if (!bounds[q]) continue;
             const double value = weighted_quantile(extreme, runs.runs.weights, k_study_quantiles[q].fraction, order);
@@ -245,7 +235,7 @@ std::vector<std::optional<Raster>> quantile_bounds(const OpenRuns& runs, bool up
 ErrorSummary error_of_first(const FinishedMembers& members, std::size_t count, Quantity quantity, const GridSpec& grid,
                             const std::vector<double>& thresholds) {
     const FinishedMembers first = members.first(count);
-    const MeanEstimate estimate(first, quantity, grid, thresholds);
+    const MeanEstimate estimate(first);
     ErrorSummary all;
     for_each_reached_cell(first, quantity, grid, [&](std::size_t, std::span<const float> values) {
         for (const double threshold : thresholds) all.add(estimate.probability(values, threshold));

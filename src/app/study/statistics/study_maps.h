@@ -45,9 +45,7 @@ Raster worst_degree(const std::vector<UnionMember>& members, const GridSpec& gri
 /// are taken together.
 class ErrorSummary {
   public:
-    void add(const Estimate& probability) { count(probability, 1); }
-    /// Takes one away that was added.
-    void remove(const Estimate& probability) { count(probability, -1); }
+    void add(const Estimate& probability);
     void add(const ErrorSummary& other);
     /// The greatest root mean square of the standard errors in ten classes of the probability, where they are not 0.
     [[nodiscard]] double largest() const;
@@ -58,7 +56,6 @@ class ErrorSummary {
     struct Class {
         double count = 0, sum = 0, squares = 0;
     };
-    void count(const Estimate& probability, double times);
     std::array<Class, 10> classes_{};
 };
 
@@ -78,22 +75,15 @@ struct QuantityMaps {
 QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
                            const std::vector<double>& thresholds);
 
-/// What a value may be where runs are open: each may exceed everything, everywhere, for material behind may push its
-/// front farther and higher than it had energy when it was cut.
-struct RasterInterval {
-    Raster lower, upper;
-};
-
-/// Returns the intervals of probabilities; they contain the probability itself.
+/// Returns the probabilities if each open run exceeds everything, everywhere, for material behind may push its front
+/// farther and higher than it had energy when it was cut; they are at least the probability itself.
 /// @param probability of each threshold, of the runs that count
-std::vector<RasterInterval> probability_bounds(const std::vector<Raster>& probability, const OpenRuns& runs,
-                                               Quantity quantity, const std::vector<double>& thresholds,
-                                               const GridSpec& grid);
+std::vector<Raster> probability_bounds(const std::vector<Raster>& probability, const OpenRuns& runs, Quantity quantity,
+                                       const std::vector<double>& thresholds, const GridSpec& grid);
 
-/// Returns an upper or a lower bound of each of k_study_quantiles of depth or velocity. None for a quantile beyond the
-/// weight of the runs that are not open, which then has no upper bound.
-std::vector<std::optional<Raster>> quantile_bounds(const OpenRuns& runs, bool upper, Quantity quantity,
-                                                   const GridSpec& grid);
+/// Returns an upper bound of each of k_study_quantiles of depth or velocity. None for a quantile beyond the weight of
+/// the runs that are not open.
+std::vector<std::optional<Raster>> quantile_bounds(const OpenRuns& runs, Quantity quantity, const GridSpec& grid);
 
 /// The standard errors of the first members alone, of one quantity and all thresholds, without keeping maps.
 ErrorSummary error_of_first(const FinishedMembers& members, std::size_t count, Quantity quantity, const GridSpec& grid,

@@ -80,11 +80,11 @@ TEST_F(PolygonMembers, EachPolygonIsAScenarioOfItsOwn) {
 }
 
 TEST_F(PolygonMembers, PerPolygonRefusesWhatHasNoEffect) {
-    write_study("per-polygon = on\nsamples = 20\nlevels = 2\n", k_two_keys);
+    write_study("per-polygon = on\nsamples = 20\nuntil = 0.1\n", k_two_keys);
     const Outcome outcome = run();
     EXPECT_EQ(outcome.exit_code, 2);
     for (const std::string words :
-         {"study.samples", "study.levels", "vary.material.turbulence", "has no effect with study.per-polygon"})
+         {"study.samples", "study.until", "vary.material.turbulence", "has no effect with study.per-polygon"})
         EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
 }
 

@@ -67,21 +67,29 @@ TEST_F(ReadStudy, RefusesWhatASamplingCannotDo) {
         "uniform(500, 900)\n";
     const std::string correlated = "[correlate]\nmaterial.turbulence material.friction-coefficient = 0.3\n";
     const std::string head = k_head;
-    EXPECT_TRUE(has_problem(problems(head + "sampling = saltelli\nsamples = 102\n" + two), "study.samples", "102"));
+    for (const std::string gone : {"saltelli", "latin-hypercube", "grid"}) {
+        const std::vector<Problem> all = problems(head + "sampling = " + gone + "\n" + two);
+        ASSERT_TRUE(has_problem(all, "study.sampling", gone)) << gone;
+        EXPECT_NE(all.front().remedy.find("Write sampling = sobol"), std::string::npos) << all.front().remedy;
+    }
+    const std::vector<Problem> levels = problems(head + "levels = 3\n" + two);
+    ASSERT_TRUE(has_problem(levels, "study.levels", "3"));
+    EXPECT_NE(levels.front().remedy.find("sobol"), std::string::npos);
     EXPECT_TRUE(has_problem(problems(head + "sampling = morris\nsamples = 100\n" + two), "study.samples", "100"));
-    EXPECT_TRUE(has_problem(problems(head + "sampling = grid\n" + two + correlated), "study.sampling", "grid"));
+    EXPECT_TRUE(has_problem(problems(head + "sampling = morris\nsamples = 30\n" + two + correlated), "study.sampling",
+                            "morris"));
     EXPECT_TRUE(
         has_problem(problems(head + two + correlated + "material.friction-coefficient material.turbulence = -0.3\n"),
                     "correlate.material.friction-coefficient material.turbulence", "-0.3"));
-    EXPECT_TRUE(has_problem(problems(head + "sampling = grid\nuntil = 0.02\n" + two), "study.sampling", "grid"));
+    EXPECT_TRUE(has_problem(problems(head + "sampling = morris\nsamples = 30\nuntil = 0.02\n" + two), "study.sampling",
+                            "morris"));
     EXPECT_TRUE(has_problem(problems(head + "sampling = table:t.csv\n" + two), "study.sampling"));
     const std::string rare = "sampling = importance\nrare-place = house\n";
     EXPECT_TRUE(problems(head + rare + two).empty());
     EXPECT_TRUE(has_problem(problems(head + "sampling = importance\n" + two), "study.sampling", "importance"));
     EXPECT_TRUE(has_problem(problems(head + "rare-place = house\n" + two), "study.rare-place", "house"));
     EXPECT_TRUE(has_problem(problems(head + "samples = 63\n" + rare + two), "study.samples", "63", "at least 64"));
-    for (const std::string other : {"until = 0.02\n", "levels = 3\n"})
-        EXPECT_TRUE(has_problem(problems(head + rare + other + two), "study.sampling", "importance")) << other;
+    EXPECT_TRUE(has_problem(problems(head + rare + "until = 0.02\n" + two), "study.sampling", "importance"));
     EXPECT_TRUE(has_problem(problems(head + rare + two + correlated), "study.sampling", "importance"));
     // 8 of the 50 members of the first round are 0.16 of them.
     const std::string option = "release.thickness-direction = choice(vertical: 21, normal: 4)\n";

@@ -77,7 +77,7 @@ TEST(Sampling, ValuesHaveTheirDistributions) {
 }
 
 TEST(Sampling, CorrelationsAreThoseOfTheRanks) {
-    for (const Sampling sampling : {Sampling::sobol, Sampling::latin_hypercube, Sampling::random}) {
+    for (const Sampling sampling : {Sampling::sobol, Sampling::random}) {
         StudySpec study = study_of(sampling, 2000,
                                    {{"material.friction-coefficient", "uniform(0.1, 0.3)"},
                                     {"material.turbulence", "log-uniform(500, 4000)"}});
@@ -107,7 +107,7 @@ TEST(Sampling, CorrelationsThatContradictEachOtherAreRefused) {
 }
 
 TEST(Sampling, TheSeedDecidesEverything) {
-    for (const Sampling sampling : {Sampling::sobol, Sampling::latin_hypercube, Sampling::random, Sampling::saltelli}) {
+    for (const Sampling sampling : {Sampling::sobol, Sampling::random}) {
         StudySpec study = study_of(
             sampling, 40,
             {{"material.friction-coefficient", "uniform(0.1, 0.3)"}, {"terrain.error", "gaussian-field(0.5, 50)"}});
@@ -117,30 +117,28 @@ TEST(Sampling, TheSeedDecidesEverything) {
         EXPECT_NE(first.values, drawn(study).values);
         std::set<std::string> fields;
         for (const auto& row : first.values) fields.insert(row[1]);
-        EXPECT_GE(fields.size(), sampling == Sampling::saltelli ? 20U : 40U);
+        EXPECT_GE(fields.size(), 40U);
     }
 }
 
-// A Latin hypercube of n values, and any power of two of a Sobol' sequence, have one value in each of n equal parts of
-// every distribution; so has each replicate, and it is not the same as another one.
+// Any power of two of a Sobol' sequence has one value in each of n equal parts of every distribution; so has each
+// replicate, and it is not the same as another one.
 TEST(Sampling, EachReplicateFillsEveryPart) {
-    for (const auto& [sampling, samples] : {std::pair{Sampling::latin_hypercube, 100}, {Sampling::sobol, 128}}) {
-        const SampleTable table = drawn(study_of(
-            sampling, samples,
-            {{"material.friction-coefficient", "uniform(0, 1)"}, {"material.density", "uniform(1000, 2000)"}}));
-        ASSERT_TRUE(table.is_replicated);
-        std::vector<std::vector<double>> values(k_replicates);
-        for (std::size_t m = 0; m < table.size(); ++m) values[table.replicate_of(m)].push_back(table.numbers[m][0]);
-        std::set<std::vector<double>> different;
-        for (const std::vector<double>& replicate : values) {
-            std::set<int> parts;
-            for (const double value : replicate)
-                parts.insert(static_cast<int>(value * static_cast<double>(replicate.size())));
-            EXPECT_EQ(parts.size(), replicate.size()) << name_of(sampling);
-            different.insert(replicate);
-        }
-        EXPECT_EQ(different.size(), k_replicates);
+    const SampleTable table = drawn(
+        study_of(Sampling::sobol, 128,
+                 {{"material.friction-coefficient", "uniform(0, 1)"}, {"material.density", "uniform(1000, 2000)"}}));
+    ASSERT_TRUE(table.is_replicated);
+    std::vector<std::vector<double>> values(k_replicates);
+    for (std::size_t m = 0; m < table.size(); ++m) values[table.replicate_of(m)].push_back(table.numbers[m][0]);
+    std::set<std::vector<double>> different;
+    for (const std::vector<double>& replicate : values) {
+        std::set<int> parts;
+        for (const double value : replicate)
+            parts.insert(static_cast<int>(value * static_cast<double>(replicate.size())));
+        EXPECT_EQ(parts.size(), replicate.size());
+        different.insert(replicate);
     }
+    EXPECT_EQ(different.size(), k_replicates);
 }
 
 TEST(Sampling, MoreMembersFollowThoseOfFewer) {
@@ -154,36 +152,6 @@ TEST(Sampling, MoreMembersFollowThoseOfFewer) {
         ASSERT_EQ(many.size(), 400U);
         EXPECT_TRUE(std::equal(few.values.begin(), few.values.end(), many.values.begin())) << name_of(sampling);
     }
-}
-
-// Rows of A, of B, and of A with one column of B each.
-TEST(Sampling, ASaltelliDesignHasItsMatrices) {
-    const SampleTable table = drawn(
-        study_of(Sampling::saltelli, 4 * 20,
-                 {{"material.friction-coefficient", "uniform(0, 1)"}, {"material.density", "uniform(1000, 2000)"}}));
-    ASSERT_EQ(table.groups, 20U);
-    for (std::size_t i = 0; i < 20; ++i) {
-        const auto &a = table.numbers[i], &b = table.numbers[20 + i];
-        EXPECT_NE(a[0], b[0]);
-        EXPECT_EQ(table.numbers[40 + i], (std::vector<double>{b[0], a[1]}));
-        EXPECT_EQ(table.numbers[60 + i], (std::vector<double>{a[0], b[1]}));
-        EXPECT_EQ(table.replicate_of(60 + i), i % k_replicates);
-    }
-}
-
-TEST(Sampling, AGridHasAllCombinationsWithTheirWeights) {
-    const SampleTable table = drawn(study_of(Sampling::grid, 20,
-                                             {{"material.friction-coefficient", "uniform(0, 0.3)"},
-                                              {"release.thickness-direction", "choice(vertical: 3, normal: 1)"},
-                                              {"material.density", "uniform(1000, 2000)"}}));
-    ASSERT_EQ(table.size(), 18U);  // 3 x 2 x 3 of at most 20
-    EXPECT_NEAR(table.numbers[0][0], 0.05, 1e-12);
-    double vertical = 0, all = 0;
-    for (std::size_t i = 0; i < table.size(); ++i) {
-        all += table.weights[i];
-        if (table.values[i][1] == "vertical") vertical += table.weights[i];
-    }
-    EXPECT_DOUBLE_EQ(vertical / all, 0.75);
 }
 
 TEST(Sampling, ValuesOutsideTheRangeAreRefusedWithTheRemedy) {

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "app/study/plan/sampling.h"
 
@@ -21,46 +20,6 @@ SampleTable design(Sampling sampling, std::int64_t samples, std::int64_t seed = 
         study.vary.push_back({key, std::get<Distribution>(distribution_from_text("uniform(0.1, 0.9)"))});
     Problems problems;
     return draw_samples(study, "study.ini", problems);
-}
-
-// Ishigami & Homma 1990: closed forms for a = 7, b = 0.1.
-TEST(SobolIndices, OfIshigamisFunction) {
-    constexpr double a = 7, b = 0.1, pi = std::numbers::pi;
-    const SampleTable table = design(Sampling::saltelli, 5 * 8192);
-    ASSERT_EQ(table.groups, 8192U);
-    std::vector<double> output;
-    for (const auto& row : table.numbers) {
-        const auto x = [&](std::size_t k) { return -pi + 2 * pi * (row[k] - 0.1) / 0.8; };
-        output.push_back(std::sin(x(0)) + a * std::pow(std::sin(x(1)), 2) + b * std::pow(x(2), 4) * std::sin(x(0)));
-    }
-    const auto keys = sobol_indices({table.numbers, table.nominal, table.places}, output, table.groups);
-    const double first = 0.5 * std::pow(1 + b * std::pow(pi, 4) / 5, 2), second = a * a / 8,
-                 joint = b * b * std::pow(pi, 8) * (1.0 / 18 - 1.0 / 50), all = first + second + joint;
-    const double exact_first[] = {first / all, second / all, 0},
-                 exact_total[] = {(first + joint) / all, second / all, joint / all};
-    for (std::size_t k = 0; k < 3; ++k) {
-        EXPECT_NEAR(keys[k].first_order->value, exact_first[k], 0.02) << k;
-        EXPECT_NEAR(keys[k].total->value, exact_total[k], 0.02) << k;
-        EXPECT_LE(keys[k].first_order->low, exact_first[k]) << k;
-        EXPECT_GE(keys[k].first_order->high, exact_first[k]) << k;
-        EXPECT_EQ(keys[k].method, "Martinez");
-    }
-}
-
-// A linear function: the indices are the squared coefficients over their sum, and there are no interactions.
-TEST(SobolIndices, OfALinearFunction) {
-    const SampleTable table = design(Sampling::saltelli, 5 * 1024);
-    std::vector<double> output, constant(table.size(), 3.0);
-    for (const auto& row : table.numbers) output.push_back(3 * row[0] + 2 * row[1] + row[2]);
-    const DesignPoints points{table.numbers, table.nominal, table.places};
-    const auto keys = sobol_indices(points, output, table.groups),
-               of_constant = sobol_indices(points, constant, table.groups);
-    const double exact[] = {9.0 / 14, 4.0 / 14, 1.0 / 14};
-    for (std::size_t k = 0; k < 3; ++k) {
-        EXPECT_NEAR(keys[k].first_order->value, exact[k], 0.02) << k;
-        EXPECT_NEAR(keys[k].total->value, exact[k], 0.02) << k;
-        EXPECT_FALSE(of_constant[k].first_order) << "a figure that does not vary is sensitive to nothing";
-    }
 }
 
 // y = 3 u + u v of places u, v even in (0, 1): u moved by a half changes it by (3 + v) / 2, v by u / 2, the third key
@@ -138,29 +97,20 @@ TEST(Chaos, DoesNotPredictWhatIsRandom) {
     EXPECT_LT(openturns().chaos({table.numbers, table.nominal, table.places}, {output}, {}).front().q2, 0.3);
 }
 
-// Over 20 designs of 64 members each, of a smooth run-out: the polynomial scatters several times less than Martinez's
-// estimator with 65 members.
-TEST(Chaos, ScattersLessThanMartinez) {
-    double chaos_square = 0, martinez_square = 0;
+// Twenty designs of 64 members of a smooth run-out against 2^13 members: every fraction to a few hundredths.
+TEST(Chaos, SixtyFourMembersTellTheFractions) {
     const auto run_out = [](const std::vector<double>& x) { return std::cbrt(1 + x[2]) / (x[0] + 0.1 / (0.2 + x[1])); };
-    const SampleTable large = design(Sampling::saltelli, 5 * 8192);
-    std::vector<double> exact_output;
-    for (const auto& row : large.numbers) exact_output.push_back(run_out(row));
-    const auto exact = sobol_indices({large.numbers, large.nominal, large.places}, exact_output, large.groups);
+    const auto fractions = [&](const SampleTable& table) {
+        std::vector<double> output;
+        for (const auto& row : table.numbers) output.push_back(run_out(row));
+        return openturns().chaos({table.numbers, table.nominal, table.places}, {output}, {}).front();
+    };
+    const Chaos exact = fractions(design(Sampling::sobol, 8192));
     for (int seed = 1; seed <= 20; ++seed) {
-        const SampleTable even = design(Sampling::sobol, 64, seed), groups = design(Sampling::saltelli, 65, seed);
-        std::vector<double> of_even, of_groups;
-        for (const auto& row : even.numbers) of_even.push_back(run_out(row));
-        for (const auto& row : groups.numbers) of_groups.push_back(run_out(row));
-        const Chaos chaos = openturns().chaos({even.numbers, even.nominal, even.places}, {of_even}, {}).front();
+        const Chaos chaos = fractions(design(Sampling::sobol, 64, seed));
         EXPECT_GT(chaos.q2, k_least_q2);
-        const auto martinez = sobol_indices({groups.numbers, groups.nominal, groups.places}, of_groups, groups.groups);
-        for (std::size_t k = 0; k < 3; ++k) {
-            chaos_square += std::pow(chaos.first_order[k] - exact[k].first_order->value, 2);
-            martinez_square += std::pow(martinez[k].first_order->value - exact[k].first_order->value, 2);
-        }
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(chaos.first_order[k], exact.first_order[k], 0.05) << seed;
     }
-    EXPECT_LT(7 * 7 * chaos_square, martinez_square);
 }
 
 TEST(Chaos, TablesWhoseKeysDependOnEachOtherAreKnown) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "simulation/placed_scene.h"
+#include "placed_scene.h"
 
 #include <algorithm>
 #include <array>
