@@ -23,12 +23,13 @@ namespace {
 using Warnings = std::vector<RunWarning>;
 
 constexpr double k_shown_fraction = 0.05;  // relative difference of a raster's volume from the flow's without a warning
-constexpr double k_energy_error = 0.005;   // greatest rise of energy without a warning, of the work of gravity
-constexpr double k_pile = 0.05;            // of the deepest deposit, that a pile may stand too high without a warning
-constexpr double k_thin_fraction = 0.1;    // of the volume that may be thinner than visible without a warning
-constexpr double k_high_step = 30;         // of the surface of a release between two cells, without a warning [m]
-constexpr double k_steep_step = 1.75;      // and its slope: 60 degrees
-constexpr double k_stout = 0.5;            // mean thickness of a release, of its width
+// Greatest rise of energy without a warning, of the work of gravity: a mass slides as much farther.
+constexpr double k_energy_error = 0.05;
+constexpr double k_pile = 0.05;          // of the deepest deposit, that a pile may stand too high without a warning
+constexpr double k_thin_fraction = 0.1;  // of the volume that may be thinner than visible without a warning
+constexpr double k_high_step = 30;       // of the surface of a release between two cells, without a warning [m]
+constexpr double k_steep_step = 1.75;    // and its slope: 60 degrees
+constexpr double k_stout = 0.5;          // mean thickness of a release, of its width
 constexpr std::int64_t k_few_particles = 300;
 // Mean slopes [degrees]. Landslides start on some 10 to 50 degrees; those on less are dams, tailings and quick clay.
 constexpr double k_flat_release = 2, k_steep_release = 55;
@@ -152,7 +153,8 @@ void warn_of_energy(const RunResult& result, Warnings& warnings) {
 void warn_of_piles(const RunResult& result, const Scene& scene, Warnings& warnings) {
     const std::optional<Pile> pile = highest_pile(result, scene);
     if (!pile || pile->height <= k_pile * maximum(result.raster("final_depth"))) return;
-    warnings.push_back({worded("{1} m of a deposit of {2} m at E {3}, N {4} are more than friction carries",
+    warnings.push_back({worded("the deposit at E {3}, N {4}, {2} m deep, stands {1} m higher than friction holds: its "
+                               "depth is uncertain there, compare with smaller cells",
                                {numeral(number_text(pile->height, 2)), numeral(number_text(pile->depth, 3)),
                                 numeral(grouped(pile->place.x)), numeral(grouped(pile->place.y))}),
                         false, pile->place});
@@ -394,9 +396,23 @@ std::vector<Sentence> sentences_of(const std::vector<RunWarning>& warnings, Warn
     return sentences;
 }
 
+namespace {
+
+/// Whether a yield stress or cohesion at the bed holds a pile besides friction.
+bool holds_without_friction(const Material& material) {
+    const std::vector<std::string> terms = bed_friction_terms(material);
+    return std::any_of(terms.begin(), terms.end(), [](const std::string& term) {
+        const Law& law = find_law(LawKind::bed_friction, term);
+        return law.reads_key("material.yield-stress") || law.reads_key("material.cohesion");
+    });
+}
+
+}  // namespace
+
 std::optional<Pile> highest_pile(const RunResult& result, const Scene& scene) {
     const bool at_rest = result.stop_reason == StopReason::still || result.stop_reason == StopReason::settled;
-    if (!at_rest || scene.structured || !result.hard_events.none()) return std::nullopt;
+    if (!at_rest || scene.structured || !result.hard_events.none() || holds_without_friction(scene.material))
+        return std::nullopt;
     const Raster &bed = result.raster("bed"), &shown = result.raster("final_depth");
     const Raster vertical = result.depth_is_normal ? vertical_depth(shown, bed) : Raster();
     const Raster& depth = result.depth_is_normal ? vertical : shown;
@@ -417,7 +433,11 @@ std::optional<Pile> highest_pile(const RunResult& result, const Scene& scene) {
         for (const auto& [r, c] : {std::pair{0, 1}, {1, 0}, {1, 1}, {1, -1}}) {
             if (!inside(row - r, column - c) || !inside(row + r, column + c)) continue;
             const double before = depth.at(row - r, column - c), after = depth.at(row + r, column + c);
-            if (!(before > 0) || !(after > 0)) continue;
+            if (!(before > 0) || !(after > 0)) {
+                // Against a wall or where there is no ground a deposit leans.
+                if (std::isnan(bed.at(row - r, column - c)) || std::isnan(bed.at(row + r, column + c))) return;
+                continue;
+            }
             const double beside = (before + bed.at(row - r, column - c) + after + bed.at(row + r, column + c)) / 2;
             stands_free = true;
             height = std::min(height, deep + bed.values[cell] - beside - friction * std::hypot(r, c) * grid.cell_size);

@@ -80,10 +80,13 @@ TEST(Run, APileThatFrictionDoesNotCarryIsNamed) {
     EXPECT_EQ(pile->place.y, 5000059);
     const auto is_named = [&] {
         for (const Sentence& words : sentences_of(run_warnings(result, scene)))
-            if (words.text().find("more than friction carries") != std::string::npos) return true;
+            if (words.text().find("higher than friction holds") != std::string::npos) return true;
         return false;
     };
     EXPECT_TRUE(is_named());
+    scene.material.bed_friction = {"cohesion"};  // which holds it, too
+    EXPECT_FALSE(highest_pile(result, scene));
+    scene.material.bed_friction = {"voellmy"};
     // Beside a heap of 20 m, 0.25 in 1 steep, nothing changes by 5 %.
     for (std::int64_t r = 0; r < 60; ++r)
         for (std::int64_t c = 60; c < 120; ++c) {
@@ -95,12 +98,27 @@ TEST(Run, APileThatFrictionDoesNotCarryIsNamed) {
     EXPECT_FALSE(highest_pile(result, scene));
 }
 
+// A mass slides as much farther as its energy is too great: from a twentieth on it is told.
+TEST(Run, AnErrorOfEnergyThatMovesTheRunOutIsTold) {
+    const Scene scene = slide();
+    RunResult result;
+    result.add("bed", scene.terrain);
+    for (const char* name : {"final_depth", "max_depth", "release"}) result.add(name, Raster(scene.grid, 1.0));
+    for (const auto& [error, told] : {std::pair{0.04, false}, {0.06, true}}) {
+        result.energy_error = error;
+        bool found = false;
+        for (const Sentence& words : sentences_of(run_warnings(result, scene)))
+            found |= words.text().find("energy error") != std::string::npos;
+        EXPECT_EQ(found, told) << error;
+    }
+}
+
 TEST(Run, OfAFlowThatEndsAtRestNoPileIsNamed) {
     const Scene scene = slide();
     const RunResult result = run(scene, {});
     ASSERT_EQ(result.stop_reason, StopReason::still);
     for (const Sentence& words : sentences_of(result.warnings))
-        EXPECT_EQ(words.text().find("more than friction carries"), std::string::npos) << words.text();
+        EXPECT_EQ(words.text().find("higher than friction holds"), std::string::npos) << words.text();
 }
 
 // Thin before the step, of the volume before the step: what left in it counts in both.

@@ -133,8 +133,8 @@ constexpr double k_thick = 30, k_of_width = 0.25, k_thick_mean = 20, k_mean_of_w
 
 /// Warns of a raster that is unusually thick for its width.
 void question_raster(double greatest, double width, RunLog& log) {
-    if (!(greatest > std::max(k_thick, k_of_width * width))) return;
     const bool is_mark = std::abs(greatest - 255) < 1 || std::abs(greatest - 999) < 1;  // of no data
+    if (!is_mark && !(greatest > std::max(k_thick, k_of_width * width))) return;
     log.warn(worded(is_mark ? worded("release up to {1} m thick: declare that value as no data in its raster")
                             : worded("release up to {1} m thick, {2} m wide: if in cm, convert it"),
                     {numeral(number_text(greatest, 3)), numeral(number_text(width, 3))}));

@@ -191,6 +191,24 @@ void question_units(const Hydrograph& hydrograph, double line_length, double end
         log.warn(*warning);
 }
 
+/// Warns of a hydrograph of which a part would flow in after the end of the run.
+void warn_of_late_volume(const std::vector<HydrographPoint>& points, double end, RunLog& log) {
+    constexpr double k_late = 0.05;
+    double all = 0, late = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const HydrographPoint &a = points[i - 1], &b = points[i];
+        const double length = b.time - a.time, volume = length * (a.discharge + b.discharge) / 2;
+        all += volume;
+        if (b.time <= end) continue;
+        const double from = std::clamp((end - a.time) / length, 0.0, 1.0);
+        const double at = a.discharge + from * (b.discharge - a.discharge);
+        late += (1 - from) * length * (at + b.discharge) / 2;
+    }
+    if (late > k_late * all)
+        log.warn(worded("{1} % of the hydrograph's {2} m3 would flow in after time.end = {3} s: raise it",
+                        {numeral(number_text(100 * late / all, 2)), numeral(grouped(all)), numeral(grouped(end))}));
+}
+
 }  // namespace
 
 std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInput* ground,
@@ -236,6 +254,7 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
                               reading.where("inflow.hydrograph") + ": " + hydrograph, shortest_text(begins) + " s",
                               "before " + shortest_text(reading.scene.time.end) + " s",
                               "Raise time.end, or correct the column time"});
+            warn_of_late_volume(inflow.hydrograph, reading.scene.time.end, log);
             if (ground == nullptr) continue;
             const Bounds box = bounds(MultiPolygon{{feature.line, {}}});
             if (!is_on_ground(reading, "inflow.line", box, *ground, false, problems)) continue;

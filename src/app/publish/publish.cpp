@@ -125,6 +125,7 @@ Prepared cut_to(const Prepared& prepared, const CellWindow& window) {
 ComparisonInput comparison_input(const Finished& run) {
     ComparisonInput input = surveyed(run.prepared);
     if (input.survey.empty()) return input;
+    input.metadata = result_tags(run.prepared, run.result);
     input.depth = run.result.raster("max_depth");
     input.bed = run.result.raster("bed");
     input.release = run.result.raster("release");

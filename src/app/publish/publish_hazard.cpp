@@ -59,7 +59,7 @@ void write_raster(const Raster& classes, const ClassMap& map, const std::string&
 }
 
 std::vector<HazardArea> write_zones(const Raster& classes, const ClassMap& map, const std::string& path,
-                                    const Words& words) {
+                                    bool is_lower_bound, const Words& words) {
     gis::OutlineLayer zones{std::filesystem::path(path).stem().string(), {}};
     std::vector<HazardArea> areas;
     for (const HazardClass& kind : map.classes) {
@@ -68,6 +68,7 @@ std::vector<HazardArea> write_zones(const Raster& classes, const ClassMap& map, 
         areas.push_back({kind, area(feature.parts)});
         if (feature.parts.empty()) continue;
         feature.numbers["class"] = kind.value;
+        if (is_lower_bound) feature.numbers[k_lower_bound_column] = 1;
         feature.texts = {{"label", kind.label()},
                          {"name", kind.name},
                          {"thresholds", kind.thresholds},
@@ -102,7 +103,7 @@ std::vector<HazardArea> publish_classes(const Raster& classes, const ClassMap& m
                                         const ResultDirectory& directory) {
     write_raster(classes, map, directory.path(map.name + ".tif"), words, metadata);
     if (map.zones_file.empty()) return {};
-    return write_zones(classes, map, directory.path(map.zones_file), words);
+    return write_zones(classes, map, directory.path(map.zones_file), metadata.contains(k_lower_bound_item), words);
 }
 
 std::vector<HazardArea> publish_hazard(const Prepared& prepared, const RunResult& result,
@@ -112,7 +113,7 @@ std::vector<HazardArea> publish_hazard(const Prepared& prepared, const RunResult
     const Raster classes = intensity_classes(result, *scheme);
     const ClassMap map{k_hazard,       scheme->heading,     scheme->classes,         *scheme,
                        scheme->source, k_hazard_zones_file, scheme->minimum_labels()};
-    return publish_classes(classes, map, provenance(prepared), words_of(prepared.spec), directory);
+    return publish_classes(classes, map, result_tags(prepared, result), words_of(prepared.spec), directory);
 }
 
 }  // namespace frana::app

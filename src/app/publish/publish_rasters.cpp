@@ -95,10 +95,15 @@ PolygonFeature release_outline(const ReleaseArea& area, std::size_t index) {
     return outline;
 }
 
-void publish_rasters(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
-    std::map<std::string, std::string> origin = provenance(prepared);
+std::map<std::string, std::string> result_tags(const Prepared& prepared, const RunResult& result) {
+    std::map<std::string, std::string> tags = provenance(prepared);
     if (is_open(result, prepared.scene))
-        origin[k_lower_bound_item] = "the full reach of the flow is not known, see warnings in summary.json";
+        tags[k_lower_bound_item] = "the full reach of the flow is not known, see warnings in summary.json";
+    return tags;
+}
+
+void publish_rasters(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
+    const std::map<std::string, std::string> origin = result_tags(prepared, result);
     for (const ResultRaster& row : result_rasters())
         if (const Raster* raster = result.find_raster(row.name))
             write(directory, row, *raster, origin, prepared.spec.output, words_of(prepared.spec));
@@ -162,6 +167,9 @@ void publish_outlines(const Prepared& prepared, const RunResult& result, const S
         trace.numbers["max_velocity_ms"] = speed.greatest;
         trace.numbers["max_velocity_p999_ms"] = speed.p999;
     }
+    if (is_open(result, prepared.scene))
+        for (const std::size_t layer : {1, 2})
+            for (PolygonFeature& reached : layers[layer].features) reached.numbers[k_lower_bound_column] = 1;
     if (prepared.scar) layers.push_back({"scar", prepared.scar->features});
     write_result_outlines(directory.path(k_outlines_file), prepared.scene.grid.crs_wkt, layers,
                           words_of(prepared.spec));

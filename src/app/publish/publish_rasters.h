@@ -25,6 +25,12 @@ PolygonFeature release_outline(const ReleaseArea& area, std::size_t index);
 void publish_ground(const Prepared& prepared, const ResultDirectory& directory,
                     const std::map<std::string, std::string>& friction_items = {});
 
+/// The column of outlines and zones, 1 where the full reach of the flow is not known.
+inline constexpr const char* k_lower_bound_column = "lower_bound";
+
+/// Metadata of a run's rasters: provenance(), and whether they are a lower bound.
+std::map<std::string, std::string> result_tags(const Prepared& prepared, const RunResult& result);
+
 /// Writes the result's rasters with their styles, and the ground: bed.tif, release.tif.
 void publish_rasters(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory);
 

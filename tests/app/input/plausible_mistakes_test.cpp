@@ -117,6 +117,7 @@ TEST_F(Mistakes, AReleaseScaledFarFromItsThicknessIsTold) {
                  {"release up to 255 m thick: declare that value as no data"});
     EXPECT_EQ(check({raster, cells, "release.volume=3000"}).err.find("scaled by"), std::string::npos)
         << "the volume was asked for";
+    expect_words(check({"release.thickness=raster:rim.asc", "release.volume=3000"}).err, {"255 m thick: declare"});
     write_dtm([](int, int) { return 2.0; }, true, "thickness.asc");
     EXPECT_EQ(check({raster, cells}).err.find("scaled by"), std::string::npos);
 }
@@ -194,7 +195,11 @@ TEST_F(Mistakes, AnUnusualTurbulenceOfZonesIsTold) {
 TEST_F(Mistakes, AHydrographAfterTheEndIsRefused) {
     expect_refused(inflow("time,discharge\n5,1\n9,2\n"),
                    {"begins after the end of the run", "5 s", "before 4 s", "time.end"});
-    EXPECT_EQ(inflow("time,discharge\n3,1\n9,2\n").exit_code, 0);
+    // Of 9 m3 the first 1.08 flow in.
+    const Outcome late = inflow("time,discharge\n3,1\n9,2\n");
+    EXPECT_EQ(late.exit_code, 0) << late.err;
+    expect_words(late.err, {"88 % of the hydrograph's 9 m3 would flow in after time.end = 4 s"});
+    EXPECT_EQ(inflow("time,discharge\n0,1\n4,2\n").err.find("of the hydrograph's"), std::string::npos);
     expect_refused(inflow("time,discharge\n0,0\n7,0\n9,2\n"), {"7 s"});
 }
 

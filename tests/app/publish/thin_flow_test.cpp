@@ -105,6 +105,13 @@ TEST_F(ThinFlow, ZonesOfPressureFollowThePressureRasterToTheCell) {
     }
     EXPECT_GT(shallow, 0) << "margins that a least depth would take away";
     EXPECT_EQ(gis::read_raster_text(path("result/max_pressure.tif")).metadata["DENSITY"], "2000 kg/m3");
+    // The classes of a run that was cut say so wherever they go.
+    ASSERT_EQ(
+        frana({"run", "scene.ini", "--out", "cut", "--quiet", "--set", "material.density=2000", "--set", "time.end=1"})
+            .exit_code,
+        0);
+    EXPECT_TRUE(gis::read_raster_text(path("cut/hazard.tif")).metadata.contains("LOWER_BOUND"));
+    EXPECT_FALSE(gis::read_raster_text(path("result/hazard.tif")).metadata.contains("LOWER_BOUND"));
 }
 
 }  // namespace

@@ -290,8 +290,8 @@ bool warn_of_failures(const StudyInput& input, const StudyResult& result, RunLog
 void warn_of_error(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, RunLog& log) {
     log.info(std::to_string(result.finished_at.size()) + " members; standard error of the probabilities " +
              percent(facts.error.largest()) + " at most, " + percent(facts.error.mean()) +
-             " on average where it is not 0; where all or none came, up to " + percent(facts.least_margin) +
-             " away are still likely (95 %)");
+             " on average where it is not 0; a probability of 0 may be up to " + percent(facts.least_margin) +
+             ", one of 1 as much less (95 %)");
     if (const auto& rare = facts.rare_place) {
         log.info(rare->event.gauge + " is deeper than " + shortest_text(rare->event.threshold) +
                  " m with a probability of " + number_text(rare->probability.value, 3) +
