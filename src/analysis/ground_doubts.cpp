@@ -292,6 +292,92 @@ void find_seam(const Raster& ground, const Raster& path, double cell_size, bool 
     if (highest && (!doubts.seam || highest->height > doubts.seam->height)) doubts.seam = highest;
 }
 
+/// A step over two cells, as interpolation leaves it, between smooth ground.
+struct Step {
+    double across = 0, along = 0;  ///< place [cells]
+    double height = 0;             ///< [m]
+};
+
+std::vector<Step> steps_across(const Lines& z, const Lines& on, double least) {
+    constexpr double k_over_bend = 4;
+    const auto rise = [&](std::int64_t line, std::int64_t i) { return z(line, i + 1) - z(line, i - 1); };
+    const auto height = [&](std::int64_t line, std::int64_t i) {
+        return rise(line, i) - (rise(line, i - 2) + rise(line, i + 2)) / 2;
+    };
+    std::vector<Step> steps;
+    for (std::int64_t line = 0; line < z.count(); ++line) {
+        for (std::int64_t i = 4; i + 4 < z.length(); ++i) {
+            const double here = height(line, i);
+            if (!(on(line, i) > 0) || !(std::abs(here) >= least)) continue;
+            if (std::abs(here) < std::abs(height(line, i - 1)) || !(std::abs(here) > std::abs(height(line, i + 1))))
+                continue;
+            if (std::abs(rise(line, i + 2) - rise(line, i - 2)) * k_over_bend > std::abs(here)) continue;
+            steps.push_back({static_cast<double>(i), static_cast<double>(line), here});
+        }
+    }
+    return steps;
+}
+
+/// The longest row of steps of about one height on a line across + slope along = offset.
+std::optional<GroundDoubts::Seam> row_of_steps(const std::vector<Step>& steps, double slope, double offset) {
+    constexpr double k_wide = 1.5, k_gap = 3, k_least = 32, k_filled = 0.7, k_change = 0.35;
+    std::optional<GroundDoubts::Seam> longest;
+    double first = 0, last = -HUGE_VAL, sum = 0, change = 0, before = 0;
+    std::int64_t count = 0;
+    const auto finish = [&] {
+        const double length = last - first + 1;
+        if (length >= k_least && static_cast<double>(count) > k_filled * length && change < k_change * std::abs(sum) &&
+            (!longest || length > longest->length)) {
+            const double middle = (first + last) / 2;
+            longest = {std::abs(sum) / static_cast<double>(count), length, {offset + slope * middle, middle}};
+        }
+    };
+    for (const Step& step : steps) {  // in the order of `along`
+        if (std::abs(step.across - slope * step.along - offset) > k_wide) continue;
+        if (step.along - last > k_gap || step.height * before < 0) {
+            finish();
+            first = step.along;
+            sum = change = 0;
+            count = 0;
+        } else {
+            change += std::abs(step.height - before);
+        }
+        last = step.along;
+        before = step.height;
+        sum += step.height;
+        ++count;
+    }
+    finish();
+    return longest;
+}
+
+/// Finds a seam that lies askew to rows and columns: of tiles in another coordinate system. The line on which most
+/// steps lie is sought among all (Hough's transform).
+void find_turned_seam(const Raster& ground, const Raster& path, double cell_size, bool along_rows,
+                      GroundDoubts& doubts) {
+    constexpr int k_slopes = 128;  // of 45 degrees to either side
+    constexpr std::size_t k_most_others = 5;
+    const Lines z(ground, along_rows), on(path, along_rows);
+    const std::vector<Step> steps = steps_across(z, on, 1 + 0.1 * cell_size);
+    std::pair<int, std::int64_t> best{};
+    std::size_t most = 0;
+    for (int s = -k_slopes; s <= k_slopes; ++s) {
+        std::map<std::int64_t, std::size_t> counts;
+        for (const Step& step : steps) {
+            const std::int64_t offset = std::llround(step.across - s * step.along / k_slopes);
+            if (const std::size_t count = ++counts[offset]; count > most) {
+                most = count;
+                best = {s, offset};
+            }
+        }
+    }
+    if (most == 0 || steps.size() > k_most_others * most) return;  // steps all over are rough ground
+    auto seam = row_of_steps(steps, static_cast<double>(best.first) / k_slopes, static_cast<double>(best.second));
+    if (!seam || (doubts.seam && doubts.seam->height >= seam->height)) return;
+    seam->place = centre_of(ground.grid, z.cell(std::llround(seam->place.y), std::llround(seam->place.x)));
+    doubts.seam = seam;
+}
+
 /// A patch of equal cells and the ground around it.
 struct Patch {
     std::vector<std::size_t> cells;
@@ -410,6 +496,8 @@ GroundDoubts ground_doubts(const Raster& ground, const Raster& path, double cell
     if (doubts.blocks || doubts.terraces) return doubts;  // whose steps look like seams and roughness
     find_seam(ground, path, cell_size, true, doubts);
     find_seam(ground, path, cell_size, false, doubts);
+    find_turned_seam(ground, path, cell_size, true, doubts);
+    find_turned_seam(ground, path, cell_size, false, doubts);
     find_rough(ground, on, cell_size, doubts);
     return doubts;
 }

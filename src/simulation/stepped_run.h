@@ -142,7 +142,7 @@ class EnergyWatch {
 
   private:
     static constexpr double k_same_volume = 1e-9;  ///< thousand times the rounding of the sums, less than any particle
-    static constexpr double k_hardly = 1;          ///< [m/s]: a mean fall of 5 cm
+    static constexpr double k_hardly = 3;          ///< [m/s]: a mean fall of 0.5 m
 
     /// E, counted in one way [m5/s2].
     struct Count {

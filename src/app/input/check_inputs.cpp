@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/ground_statistics.h"
 #include "analysis/touched_cells.h"
 #include "app/input/layer_values.h"
 #include "app/input/survey_input.h"
@@ -132,9 +133,16 @@ std::vector<const ReleaseArea*> different_rasters(const SceneReading& reading, c
 constexpr double k_thick = 30, k_of_width = 0.25, k_thick_mean = 20, k_mean_of_width = 0.1;
 
 /// Warns of a raster that is unusually thick for its width.
-void question_raster(double greatest, double width, RunLog& log) {
+void question_raster(std::vector<double> thicknesses, double width, RunLog& log) {
+    constexpr double k_over_median = 20;  // part of a rim of values that mean no data, also where a volume scales all
+    if (thicknesses.empty()) return;
+    const double greatest = *std::max_element(thicknesses.begin(), thicknesses.end()),
+                 median = percentile(std::move(thicknesses), 0.5);
+    if (greatest > k_over_median * median)
+        log.warn(worded("release up to {1} m thick, half of it under {2} m: look for values that mean no data",
+                        {numeral(number_text(greatest, 3)), numeral(number_text(median, 3))}));
+    if (!(greatest > std::max(k_thick, k_of_width * width))) return;
     const bool is_mark = std::abs(greatest - 255) < 1 || std::abs(greatest - 999) < 1;  // of no data
-    if (!is_mark && !(greatest > std::max(k_thick, k_of_width * width))) return;
     log.warn(worded(is_mark ? worded("release up to {1} m thick: declare that value as no data in its raster")
                             : worded("release up to {1} m thick, {2} m wide: if in cm, convert it"),
                     {numeral(number_text(greatest, 3)), numeral(number_text(width, 3))}));
@@ -165,13 +173,14 @@ void question_mean(const ReleaseInput& release, const TerrainInput& ground, RunL
 /// volume in other units.
 void check_greatest(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release,
                     const MultiPolygon& outlines, const Raster& cover, RunLog& log, Problems& problems) {
-    double least = k_most_thickness, greatest = 0, of_raster = 0, mean = 0;
+    double least = k_most_thickness, greatest = 0, mean = 0;
+    std::vector<double> of_raster;
     for (const ReleaseArea* release_area : different_rasters(reading, release)) {
         release_area->thickness_raster->values.for_each_stored([&](std::size_t cell, double thickness) {
-            if (thickness > of_raster && cover.values[cell] != 0) of_raster = thickness;
+            if (thickness > 0 && cover.values[cell] != 0) of_raster.push_back(thickness);
         });
     }
-    greatest = of_raster;
+    for (const double thickness : of_raster) greatest = std::max(greatest, thickness);
     for (const ReleaseArea& release_area : release.areas) {
         if (!release_area.thickness_raster) {
             least = std::min(least, release_area.thickness);
@@ -183,7 +192,7 @@ void check_greatest(const SceneReading& reading, const TerrainInput& ground, con
     if (volume && volume->kind == SourceSpec::Kind::number) mean = std::max(mean, volume->number / area(outlines));
     if (least < k_least_thickness) greatest = least;
     if (greatest > 0) check_thickness(greatest, reading.where("release.thickness"), problems);
-    if (problems.empty()) question_raster(of_raster, std::sqrt(area(outlines)), log);
+    if (problems.empty()) question_raster(std::move(of_raster), std::sqrt(area(outlines)), log);
     if (problems.empty() && !volume) question_mean(release, ground, log);
     if (mean > 0) check_thickness(mean, reading.where("release.volume"), problems);
 }

@@ -410,6 +410,13 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
         fastest = std::max(fastest, area.speed);
     }
     if (const auto warning = implausible("release.velocity", fastest)) log.warn(*warning);
+    const double end = reading.scene.time.end;
+    const auto is_late = [&](const ReleaseArea& area) { return area.start >= end; };
+    if (!release.areas.empty() && !reading.scene.inflow.line && reading.scene.material.model != "structured" &&
+        std::all_of(release.areas.begin(), release.areas.end(), is_late))
+        problems.add({"nothing is released before the end of the run", reading.where("release.start"),
+                      shortest_text(release.areas.front().start) + " s", "before " + shortest_text(end) + " s",
+                      "Raise time.end, or correct the start"});
     if (ground != nullptr) {
         check_release(reading, *ground, release, log, problems);
         release.before.reset();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Terrain models that are read without error and do not look like ground: each is told of, and no good one is.
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <functional>
@@ -183,6 +184,10 @@ TEST_F(GroundDoubts, WhatIsNotGroundIsToldWithItsPlace) {
          {"a straight step of 4", "E 527395", "Fit the tiles"}},
         {[](double x, double y) { return waves(x, y) + (x + y > 1e4 || y > 450 ? 48 : 0); },
          {"a straight step of 48 m", "N 5094455"}},
+        // Of tiles in another coordinate system, turned by 5 and by 30 degrees; the second was interpolated.
+        {[](double x, double y) { return waves(x, y) + (x - 0.0875 * y > 400 ? 20 : 0); }, {"a straight step of"}},
+        {[](double x, double y) { return waves(x, y) + 20 * std::clamp((x - 0.577 * y - 150) / 12, 0.0, 1.0); },
+         {"a straight step of"}},
         {[](double x, double y) { return x > 300 && x < 340 && y > 430 && y < 470 ? -1 : waves(x, y); },
          {"16 cells of -1 m are pits", "E 527305", "terrain.nodata-value"}},
         {[](double x, double y) { return x > 300 && x < 340 && y > 430 && y < 470 ? 0 : waves(x, y); },

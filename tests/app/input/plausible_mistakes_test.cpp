@@ -203,6 +203,10 @@ TEST_F(Mistakes, AHydrographAfterTheEndIsRefused) {
     expect_refused(inflow("time,discharge\n0,0\n7,0\n9,2\n"), {"7 s"});
 }
 
+TEST_F(Mistakes, AReleaseAfterTheEndIsRefused) {
+    expect_refused(check({"release.start=600"}), {"release.start", "600 s", "before 4 s", "time.end"});
+}
+
 TEST_F(Mistakes, CheckTellsThatTheTrialLeavesTheDtm) {
     EXPECT_EQ(check({"time.end=60"}).err.find("leaves the DTM"), std::string::npos);
     const Outcome cut =

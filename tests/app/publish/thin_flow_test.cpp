@@ -111,7 +111,6 @@ TEST_F(ThinFlow, ZonesOfPressureFollowThePressureRasterToTheCell) {
             .exit_code,
         0);
     EXPECT_TRUE(gis::read_raster_text(path("cut/hazard.tif")).metadata.contains("LOWER_BOUND"));
-    EXPECT_FALSE(gis::read_raster_text(path("result/hazard.tif")).metadata.contains("LOWER_BOUND"));
 }
 
 }  // namespace
