@@ -373,7 +373,7 @@ void find_turned_seam(const Raster& ground, const Raster& path, double cell_size
     }
     if (most == 0 || steps.size() > k_most_others * most) return;  // steps all over are rough ground
     auto seam = row_of_steps(steps, static_cast<double>(best.first) / k_slopes, static_cast<double>(best.second));
-    if (!seam || (doubts.seam && doubts.seam->height >= seam->height)) return;
+    if (!seam) return;
     seam->place = centre_of(ground.grid, z.cell(std::llround(seam->place.y), std::llround(seam->place.x)));
     doubts.seam = seam;
 }
@@ -496,8 +496,8 @@ GroundDoubts ground_doubts(const Raster& ground, const Raster& path, double cell
     if (doubts.blocks || doubts.terraces) return doubts;  // whose steps look like seams and roughness
     find_seam(ground, path, cell_size, true, doubts);
     find_seam(ground, path, cell_size, false, doubts);
-    find_turned_seam(ground, path, cell_size, true, doubts);
-    find_turned_seam(ground, path, cell_size, false, doubts);
+    for (const bool along_rows : {true, false})
+        if (!doubts.seam) find_turned_seam(ground, path, cell_size, along_rows, doubts);
     find_rough(ground, on, cell_size, doubts);
     return doubts;
 }

@@ -176,11 +176,15 @@ void check_greatest(const SceneReading& reading, const TerrainInput& ground, con
     double least = k_most_thickness, greatest = 0, mean = 0;
     std::vector<double> of_raster;
     for (const ReleaseArea* release_area : different_rasters(reading, release)) {
-        release_area->thickness_raster->values.for_each_stored([&](std::size_t cell, double thickness) {
-            if (thickness > 0 && cover.values[cell] != 0) of_raster.push_back(thickness);
+        const Raster& raster = *release_area->thickness_raster;
+        raster.values.for_each_stored([&](std::size_t cell, double thickness) {
+            if (cover.values[cell] != 0) greatest = std::max(greatest, thickness);
+        });
+        // A rim is also in the cells that the outline only touches.
+        gis::visit_cells(outlines, raster.grid, gis::Cover::closed, [&](std::int64_t row, std::int64_t column) {
+            if (const double here = raster.at(row, column); here > 0) of_raster.push_back(here);
         });
     }
-    for (const double thickness : of_raster) greatest = std::max(greatest, thickness);
     for (const ReleaseArea& release_area : release.areas) {
         if (!release_area.thickness_raster) {
             least = std::min(least, release_area.thickness);

@@ -196,7 +196,7 @@ void tell(const GroundDoubts& doubts, const LookedAt& here, Prepared& prepared, 
             {whole_percent(terraces->share), numeral(number_text(terraces->step, 3)), here.at(terraces->place), file}));
     if (const auto& seam = doubts.seam)
         log.warn(
-            worded("DTM {4}: a straight step of {1} m crosses {2} m of the path, at {3}. Fit the tiles to each other",
+            worded("DTM {4}: a straight step of {1} m crosses {2} m of the path, at {3}. If tiles meet there, fit them",
                    {numeral(number_text(seam->height, 2)), numeral(number_text(seam->length * here.cell_size, 3)),
                     here.at(seam->place), file}));
     if (const auto& pits = doubts.pits) {

@@ -181,7 +181,7 @@ TEST_F(GroundDoubts, WhatIsNotGroundIsToldWithItsPlace) {
         {[&](double x, double y) { return std::round(gentle(x, y)); }, {"level between steps of 1 m", "with decimals"}},
         {[](double x, double y) { return 10 * std::round(waves(x, y) / 10); }, {"level between steps of 10 m"}},
         {[](double x, double y) { return waves(x, y) + (x > 400 ? 4 : 0); },
-         {"a straight step of 4", "E 527395", "Fit the tiles"}},
+         {"a straight step of 4", "E 527395", "If tiles meet there"}},
         {[](double x, double y) { return waves(x, y) + (x + y > 1e4 || y > 450 ? 48 : 0); },
          {"a straight step of 48 m", "N 5094455"}},
         // Of tiles in another coordinate system, turned by 5 and by 30 degrees; the second was interpolated.
@@ -219,9 +219,11 @@ TEST_F(GroundDoubts, GoodGroundIsNotDoubted) {
         [](double x, double y) { return 1000 - 0.3 * x - 0.1 * y; },
         [](double x, double y) { return std::round(100 * waves(x, y)) / 100; },
         [](double x, double y) { return std::round(10 * waves(x, y)) / 10; },
-        // A channel between steep banks, a cliff askew, a terrace that was built.
+        // A channel between steep banks, a cliff askew that is neither straight nor of one height, a terrace.
         [](double x, double y) { return waves(x, y) + (std::abs(y - 450) > 120 ? 30 : 0.002 * (y - 450) * (y - 450)); },
-        [](double x, double y) { return waves(x, y) + (x + 0.4 * y > 560 ? -40 : 0); },
+        [](double x, double y) {
+            return waves(x, y) + (x + 0.4 * y + 30 * std::sin(y / 50) > 560 ? -40 - 15 * std::sin(y / 35) : 0);
+        },
         [](double x, double y) { return x > 340 && x < 380 && std::abs(y - 450) < 60 ? waves(340, y) : waves(x, y); },
     };
     for (std::size_t i = 0; i < grounds.size(); ++i) {
