@@ -4,11 +4,6 @@
 
 #include "particle_points.h"
 #include "support/tiny_scene.h"
-#include "vtkDataArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
-#include "vtkXMLPolyDataReader.h"
 
 namespace frana::test {
 namespace {
