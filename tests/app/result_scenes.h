@@ -21,7 +21,7 @@ inline const std::string k_section =
 inline const std::string k_every_output =
     "[output]\nframes = on\nmap-size = 640x480\nmap-formats = png, pdf, svg, tif\nmaps = max_depth, "
     "max_velocity_3d\n"
-    "formats = geotiff, particles-gpkg\nnames = avaframe\n"
+    "formats = geotiff, particles-gpkg\n"
     "gauges = gauge.geojson\ncross-sections = section.geojson\n"
     "[hazard]\nscheme = austrian-torrent\n[scar]\nperimeter = scar.geojson\n";
 

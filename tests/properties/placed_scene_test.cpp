@@ -13,7 +13,7 @@
 namespace frana::test {
 namespace {
 
-constexpr double k_degree = M_PI / 180;
+constexpr double k_radians_of_degree = M_PI / 180;
 
 double square(double value) {
     return value * value;
@@ -48,7 +48,7 @@ Scene gully() {
                       {x + 17.75, y + 108.5}},
                      {}}};
     scene.release = {area};
-    scene.material.friction_coefficient = std::tan(12 * k_degree);
+    scene.material.friction_coefficient = std::tan(12 * k_radians_of_degree);
     scene.material.turbulence = 800;
     scene.numerics.curvature = true;
     scene.time.end = 20;
@@ -92,7 +92,7 @@ TEST(PlacedScene, GroundIsWhereTheTurnedOutlineIs) {
         // Two corners of the outline define where a place of the new grid is on the old one.
         const auto& from = scene.release[0].outline[0].outer;
         const auto& to = other.release[0].outline[0].outer;
-        const double turn = placement.turn_deg * k_degree, c = std::cos(turn), s = std::sin(turn);
+        const double turn = placement.turn_deg * k_radians_of_degree, c = std::cos(turn), s = std::sin(turn);
         EXPECT_NEAR(to[2].x - to[0].x, c * (from[2].x - from[0].x) - s * (from[2].y - from[0].y), 1e-8);
         EXPECT_NEAR(to[2].y - to[0].y, s * (from[2].x - from[0].x) + c * (from[2].y - from[0].y), 1e-8);
         EXPECT_NEAR(area(other.release[0].outline), area(scene.release[0].outline), 1e-6);

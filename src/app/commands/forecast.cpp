@@ -200,7 +200,7 @@ WritingForecast forecast_writing(const Prepared& prepared, const RunEstimate& ex
                                  k_rasters * reached_cells(prepared, trial) * k_raster_cell_bytes};
     const bool draws = output.maps.front() != "off";
     double maps = 0;
-    if (draws) maps = output.maps.front() == "on" ? usual(prepared.spec) : static_cast<double>(output.maps.size());
+    for (const std::string& map : output.maps) maps += !draws ? 0 : map == "on" ? usual(prepared.spec) : 1;
     const double pictures = maps + (prepared.scar ? 1 : 0) + (draws && output.charts ? k_charts : 0);
     if (pictures > 0) add_pictures(output, pictures, stored, forecast);
     add_film(prepared, trial, forecast);

@@ -120,10 +120,6 @@ MapStyle ResultReader::style() const {
     style.organisation = scene_value("output.map-organisation").value_or("");
     style.logo = scene_value("output.map-logo").value_or("");
     style.date = date_on_maps(scene_value("output.map-date"), run_date());
-    style.exaggeration = scene_number("output.view-exaggeration", style.exaggeration);
-    style.sky = scene_value("output.view-background") != "plain";
-    if (const auto camera = camera_from_text(scene_value("output.view-camera").value_or("")))
-        style.camera = render::Camera{camera->azimuth, camera->elevation, camera->zoom};
     return style;
 }
 

@@ -230,7 +230,6 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
         facts.friction_areas = friction_areas(*facts.friction, trace_mask(result.raster("max_depth"), threshold));
     facts.exposure = publish_exposure(prepared, result, directory);
     if (facts.exposure) log.info(exposure_sentence(*facts.exposure, ReachedBy::the_flow));
-    publish_avaframe(prepared, result, directory);
     write_text_file(directory.path(k_series_file), timeseries_csv(result.series));
     const std::optional<Comparison> comparison = publish_comparison(run, directory, log);
     if (frames.count() > 0) publish_frame_styles(directory.folder());

@@ -89,7 +89,10 @@ class Drawings {
 
 /// Returns "max_depth", "max_depth_3d" and so on, as requested by the scene.
 std::vector<std::string> map_choice(const std::vector<std::string>& requested, const ResultReader& written) {
-    std::vector<std::string> names = requested.front() == "on" ? usual_maps() : requested;
+    std::vector<std::string> names;
+    for (const std::string& word : requested)
+        for (const std::string& name : word == "on" ? usual_maps() : std::vector<std::string>{word})
+            if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     // A hazard scheme requests its map.
     if (written.has(raster_file("hazard")) && std::find(names.begin(), names.end(), "hazard") == names.end())
         names.emplace_back("hazard");
@@ -103,7 +106,8 @@ void draw_maps(const std::vector<std::string>& requested, const ResultReader& wr
         const std::string layer = raster_of_map(name);
         const bool view_3d = layer != name;
         const ResultRaster* const row = find_result_raster(layer);
-        const bool may_lack = requested.front() == "on" || (row != nullptr && row->if_it_happens);
+        const bool may_lack = std::find(requested.begin(), requested.end(), name) == requested.end() ||
+                              (row != nullptr && row->if_it_happens);
         if (may_lack && !written.has(layer + ".tif")) continue;
         const std::string stem = written.path("maps/" + name);
         drawings.attempt("maps/" + name, picture_files(drawer.style(), stem, !view_3d), [&] {

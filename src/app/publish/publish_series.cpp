@@ -13,8 +13,6 @@
 #include "app/text/text_file.h"
 #include "app/text/text_table.h"
 #include "core/text.h"
-#include "gis/raster/raster_out.h"
-#include "gis/raster/styles.h"
 #include "params/keys/output_parameters.h"
 
 namespace frana::app {
@@ -37,57 +35,6 @@ std::string timeseries_csv(const std::vector<SeriesRow>& series) {
         text += '\n';
     }
     return text;
-}
-
-namespace {
-
-/// Zero where there is ground but no flow, as in AvaFrame's own files.
-Raster filled(const Raster& values, const Raster& terrain) {
-    Raster raster = values;
-    terrain.values.for_each_stored([&](std::size_t cell, double ground) {
-        if (!std::isnan(ground) && std::isnan(std::as_const(raster).values[cell])) raster.values[cell] = 0;
-    });
-    return raster;
-}
-
-/// With the classes of the result's own raster of that quantity; nothing is drawn where there was no flow.
-void write_peak_style(const std::string& path, const Raster& raster, const PeakFile& file, const ClassSpec& classes,
-                      const Words& words) {
-    const ResultRaster& row = *find_result_raster(file.like);
-    const std::vector<double> bounds = class_bounds(row, classes, maximum(raster));
-    gis::write_styles(path, gis::class_stops(palette(row.palette), bounds, file.unit, words, true), file.unit,
-                      gis::StyleKind::classed, file.text);
-}
-
-/// Returns AvaFrame's name of a simulation: RELEASE_HASH_C_null_dfa, where no part may contain an underscore.
-std::string avaframe_name(const std::string& scene, const std::string& hash) {
-    std::string release = shortened_name(scene), digits;
-    std::replace(release.begin(), release.end(), '_', '-');
-    for (const char c : hash)
-        if (c != '-' && digits.size() < 10) digits += c;
-    return release + "_" + digits + "_C_null_dfa";
-}
-
-}  // namespace
-
-void publish_avaframe(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
-    if (prepared.spec.output.names != "avaframe") return;
-    directory.make_folder(k_peak_folder);
-    const auto origin = provenance(prepared);
-    const std::string name =
-        std::string(k_peak_folder) + "/" + avaframe_name(scene_name(prepared.spec), origin.at("SCENE_HASH"));
-    const Raster thickness = result.depth_is_normal ? result.raster("max_depth")
-                                                    : normal_depth(result.raster("max_depth"), result.raster("bed"));
-    const Raster* const values_of[] = {&result.raster("max_pressure"), &thickness, &result.raster("max_velocity")};
-    static_assert(std::size(values_of) == std::size(k_peak_files));
-    for (std::size_t i = 0; i < std::size(k_peak_files); ++i) {
-        const auto& [kind, text, unit, like] = k_peak_files[i];
-        const Raster& values = *values_of[i];
-        const Raster raster = filled(values, prepared.scene.terrain);
-        const std::string stem = directory.path(name + "_" + kind);
-        gis::write_geotiff(stem + ".tif", raster, {kind, text, unit, origin});
-        write_peak_style(stem + ".tif", raster, k_peak_files[i], prepared.spec.output.classes, words_of(prepared.spec));
-    }
 }
 
 namespace {

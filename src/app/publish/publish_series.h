@@ -15,11 +15,6 @@ namespace frana::app {
 /// Returns timeseries.csv: a header with units, one row per step, numbers that read back as the same bits.
 std::string timeseries_csv(const std::vector<SeriesRow>& series);
 
-/// Writes peakFiles/ with AvaFrame's names, if output.names requests them: ppr [kPa], pft [m, normal to the slope] and
-/// pfv [m/s], zero where there was no flow, nodata without terrain.
-/// Throws Error(environment).
-void publish_avaframe(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory);
-
 /// Writes gauges.csv and sections.csv if a scene has them, with gauges.gpkg for their places. Throws
 /// Error(environment).
 void publish_series(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory);

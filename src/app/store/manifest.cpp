@@ -254,7 +254,7 @@ std::vector<std::string> changed_files(const std::vector<std::string>& paths) {
             const std::string name = file.lexically_relative(result).generic_string();
             const auto listed = manifest->files.find(name);
             if (manifest->in_making.count(name) > 0) continue;
-            if (listed == manifest->files.end() || mark_of(file.string()) != listed->second)
+            if (listed == manifest->files.end() || !is_as_listed(file.string(), listed->second))
                 changed.push_back(file.string());
         }
     }

@@ -115,11 +115,6 @@ std::vector<ResultFile> make_table() {
     table.add(FileKind::style, {k_project_file});
     table.add(FileKind::table, {k_frame_list});
     table.add(FileKind::vector, {"frames/particles_*.gpkg"});
-    for (const PeakFile& file : k_peak_files) {
-        const std::string stem = std::string(k_peak_folder) + "/*_C_null_dfa_" + file.kind;
-        table.add(FileKind::raster, {stem + ".tif"});
-        table.add_styles(stem + ".tif");
-    }
     table.by("compare");
     table.add(FileKind::text, {k_comparison_file})
         .add(FileKind::table, {k_comparison_curve, k_reliability_table, k_roc_table})

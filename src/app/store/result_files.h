@@ -99,15 +99,6 @@ inline std::string frame_style(const std::string& quantity) {
 inline std::string raster_file(const std::string& name) {
     return name + ".tif";
 }
-/// AvaFrame's peak files.
-struct PeakFile {
-    const char *kind, *text, *unit;
-    const char* like;  ///< raster of the result with the same colours
-};
-inline constexpr const char* k_peak_folder = "peakFiles";
-inline constexpr PeakFile k_peak_files[] = {{"ppr", "Peak pressure", "kPa", "max_pressure"},
-                                            {"pft", "Peak flow thickness, normal to the slope", "m", "max_depth"},
-                                            {"pfv", "Peak flow velocity", "m/s", "max_velocity"}};
 inline constexpr const char* k_study_file = "study.ini";
 inline constexpr const char* k_region_file = "region.ini";
 inline constexpr const char* k_member_table = "members.csv";

@@ -108,7 +108,7 @@ namespace {
 // another value of it is as good.
 bool is_of_pictures(const std::string& line) {
     static const std::regex k_keys(
-        "(map-|view-|classes|maps |animation |charts |report |title |language |checkpoint-interval ).*");
+        "(map-|classes|maps |animation |charts |report |title |language |checkpoint-interval ).*");
     return std::regex_match(line, k_keys);
 }
 

@@ -79,14 +79,6 @@ void add_pictures(std::vector<Parameter>& list) {
                           "Language of maps, charts, legends and the report; auto: that of the locale (LC_ALL, "
                           "LC_MESSAGES, LANG), English if it is none of these."));
     list.push_back(text("output.title", FRANA_MEMBER(output.title), "text", "Title of the maps.", "the scene's name"));
-    list.push_back(number("output.view-exaggeration", FRANA_MEMBER(output.view_exaggeration), "", Range{0.1, 20},
-                          "Vertical exaggeration of 3-D views."));
-    list.push_back(choice("output.view-background", FRANA_MEMBER(output.view_background), {"sky", "plain"},
-                          "Background of 3-D views: a blue sky, or white."));
-    list.push_back(understood_text(
-        "output.view-camera", FRANA_MEMBER(output.view_camera), k_cameras, "Write for example 210, 30, 1.5",
-        "Camera of 3-D views: viewing direction [degrees from grid north], downward angle [degrees], zoom.",
-        [](const std::string& value) { return camera_from_text(value).has_value(); }, "from the flow path"));
     list.push_back(on_off("output.charts", FRANA_MEMBER(output.charts),
                           "Draw charts, unless maps are off: profiles, time series, scores over the threshold."));
 }
@@ -134,9 +126,6 @@ void add_classes(std::vector<Parameter>& list) {
 
 void add_extra_output(std::vector<Parameter>& list) {
     add_classes(list);
-    list.push_back(choice("output.names", FRANA_MEMBER(output.names), {"frana", "avaframe"},
-                          "avaframe: also write peakFiles/ with pressure, thickness normal to the slope and speed "
-                          "under AvaFrame's names."));
     list.push_back(choice("output.extent", FRANA_MEMBER(output.extent), {"auto", "map", "reached"},
                           "What the rasters of a finished result cover: the whole map, or the rectangle round "
                           "everything released, reached or surveyed, with a margin; auto: reached on maps of over " +

@@ -343,20 +343,21 @@ std::string raster_of_map(const std::string& map) {
 std::vector<std::string> usual_maps() {
     std::vector<std::string> names;
     for (const ResultRaster& one : result_rasters()) {
-        // What some scenes give by place is worth a look; the release is in every map.
-        const bool shows = one.kind == RasterKind::flow || one.kind == RasterKind::classes ||
-                           (one.kind == RasterKind::given && one.is_produced_by != nullptr);
-        if (shows && one.command == "run") names.push_back(one.name);
+        const bool shows = one.kind == RasterKind::flow || one.kind == RasterKind::classes;
+        if (shows && one.command == "run" && one.name != "jump_height") names.push_back(one.name);
     }
-    for (const ResultRaster& one : result_rasters())
-        if (one.has_view) names.push_back(one.name + k_view_ending);
     return names;
 }
 
 std::vector<std::string> map_names() {
-    std::vector<std::string> names = usual_maps();
+    std::vector<std::string> names;
+    for (const ResultRaster& one : result_rasters()) {
+        const bool shows = one.kind == RasterKind::flow || one.kind == RasterKind::classes ||
+                           (one.kind == RasterKind::given && one.is_drawn());
+        if (shows && one.command == "run") names.push_back(one.name);
+    }
     for (const ResultRaster& one : result_rasters())
-        if (one.kind == RasterKind::given && one.is_drawn() && one.is_produced_by == nullptr) names.push_back(one.name);
+        if (one.has_view) names.push_back(one.name + k_view_ending);
     return names;
 }
 

@@ -388,8 +388,11 @@ void add_rest(std::vector<Parameter>& list) {
     list.push_back(text("output.directory", FRANA_MEMBER(output.directory), "folder",
                         "Result directory; --out overrides it.",
                         "results/NAME beside the scene, with the scene's NAME"));
-    list.push_back(word_list("output.maps", FRANA_MEMBER(output.maps), {"on", "off"}, map_names(),
-                             "Maps to draw; on: all of the result."));
+    std::vector<std::string> maps = map_names();
+    maps.insert(maps.begin(), "on");
+    list.push_back(
+        word_list("output.maps", FRANA_MEMBER(output.maps), {"off"}, maps,
+                  "Maps to draw; on: what the flow did, in map view; on, max_depth_3d, mu: more beside it."));
     list.push_back(on_off("output.frames", FRANA_MEMBER(output.frames),
                           "Write depth and velocity at the frame interval as GeoTIFFs."));
     list.push_back(on_off("output.animation", FRANA_MEMBER(output.animation), "Write animation.mp4."));

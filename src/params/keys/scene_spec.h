@@ -134,13 +134,9 @@ struct OutputSpec {
     std::optional<std::string> map_attribution;
     std::optional<double> map_scale;  ///< n of 1 : n
     std::optional<std::string> map_author, map_organisation, map_logo, map_date;
-    double view_exaggeration = 1;
-    std::string view_background = "sky";
-    std::optional<std::string> view_camera;
     bool charts = true;
     std::optional<std::string> title;
     std::string language = k_language_of_locale;
-    std::string names = "frana";
     std::string extent = "auto";
     bool report = true;
     std::optional<std::string> gauges;

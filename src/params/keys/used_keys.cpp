@@ -49,7 +49,6 @@ constexpr KeyRow k_rows[] = {
     {"structured.bed-friction-angle", false, "friction angle at the bed"},
     {"structured.zones", false, "areas of these values"},
     {"numerics.cfl", false, "Courant number"},
-    {"output.names", false, "names of the files"},
     {"observed.front", false, "surveyed front"},
     {"observed.deposit", false, "surveyed deposit"},
     {"observed.threshold", false, "depth that counts as covered"},

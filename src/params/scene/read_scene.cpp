@@ -105,7 +105,20 @@ std::optional<KeySource> preset_source(const std::string& name, const std::strin
 SceneReader::SceneReader(SceneReading& reading, std::string directory)
     : reading_(reading), directory_(std::move(directory)), parameters_(scene_parameters()) {}
 
+namespace {
+
+/// Keys of earlier versions, and what to use.
+constexpr std::pair<const char*, const char*> k_gone_keys[] = {
+    {"output.names", "Remove it; AvaFrame reads the GeoTIFFs of the result"},
+    {"output.view-exaggeration", "Remove it: `frana render --view 3d --exaggeration` draws such a view"},
+    {"output.view-background", "Remove it: `frana render --view 3d --plain` draws without a sky"},
+    {"output.view-camera", "Remove it: `frana render --view 3d --camera` draws such a view"}};
+
+}  // namespace
+
 Problem unknown_key(const std::vector<Parameter>& parameters, const std::string& name, const std::string& where) {
+    for (const auto& [gone, instead] : k_gone_keys)
+        if (name == gone) return {"is no longer a key", where, "", "", instead};
     const std::string nearest = nearest_name(name, names_of(parameters));
     return {"unknown key", where, "", "",
             nearest.empty() ? "`frana params` lists all keys" : "Did you mean " + nearest + "?"};

@@ -80,7 +80,7 @@ const std::string k_quiet = "[output]\nmaps = off\nanimation = off\nframes = off
 
 TEST_F(Output, EveryRasterIsAValidCloudOptimisedGeotiffWithProvenance) {
     write_polygon("scar", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
-    run("frame-interval = 2\n[output]\nmaps = off\nanimation = off\nnames = avaframe\n[hazard]\nscheme = "
+    run("frame-interval = 2\n[output]\nmaps = off\nanimation = off\n[hazard]\nscheme = "
         "swiss-flood\n"
         "[scar]\nperimeter = scar.geojson\n");
     const std::string hash = json_text(text("manifest.json"), "scene_hash");
@@ -110,8 +110,8 @@ TEST_F(Output, EveryRasterIsAValidCloudOptimisedGeotiffWithProvenance) {
         EXPECT_STREQ(tif->GetMetadataItem("PREDICTOR", "IMAGE_STRUCTURE"), "3") << file;
         EXPECT_TRUE(band.GetMetadataItem("STATISTICS_MAXIMUM")) << file;
     }
-    // Six results, release, dtm, bed, flux, head, hazard, comparison, three peak files, three frames of two.
-    EXPECT_EQ(rasters, 6 + 3 + 2 + 1 + 1 + 3 + 6);
+    // Six results, release, dtm, bed, flux, head, hazard, comparison, three frames of two.
+    EXPECT_EQ(rasters, 6 + 3 + 2 + 1 + 1 + 6);
 }
 
 TEST_F(Output, GdalsOwnValidatorAgrees) {
@@ -474,32 +474,6 @@ TEST_F(Output, HazardKeysThatContradictAreRefused) {
     EXPECT_NE(frana({"check", "scene.ini"}).err.find("material.density: is not given, but output.pressure-thresholds"),
               std::string::npos);
     EXPECT_EQ(frana({"check", "scene.ini", "--set", "material.density=300"}).exit_code, 0);
-}
-
-TEST_F(Output, AvaFrameFilesHaveItsNamesAndThicknessNormalToTheSlope) {
-    run("[output]\nmaps = off\nanimation = off\nframes = off\nnames = avaframe\n");
-    // relName_simHash_defID_simType_modelType_resType, as AvaFrame's cfgUtils.parseSimName takes names apart.
-    const std::regex form(R"([^_]+_[0-9a-f]{10}_C_null_dfa_(ppr|pft|pfv)\.tif)");
-    std::string thickness;
-    int count = 0;
-    for (const auto& entry : fs::directory_iterator(path("result/peakFiles"))) {
-        if (entry.path().extension() != ".tif") continue;
-        ++count;
-        const std::string name = entry.path().filename().string();
-        EXPECT_TRUE(std::regex_match(name, form)) << name;
-        if (name.ends_with("_pft.tif")) thickness = "peakFiles/" + name;
-    }
-    EXPECT_EQ(count, 3);
-    ASSERT_FALSE(thickness.empty());
-    const Raster normal = raster(thickness), depth = raster("max_depth.tif");
-    // The slope falls 1 in 2 as far as column 39: cosine 1 / sqrt(1.25). The grid's text has six digits.
-    const double cosine = 1 / std::sqrt(1.25);
-    for (std::int64_t row = 0; row < k_rows; ++row) {
-        for (std::int64_t column = 0; column < 39; ++column) {
-            const double vertical = depth.has_data(row, column) ? depth.at(row, column) : 0;
-            ASSERT_NEAR(normal.at(row, column), vertical * cosine, 2e-5 * (1 + vertical)) << row << ' ' << column;
-        }
-    }
 }
 
 // The slope falls 1 in 2 as far as column 39 (cosine 1 / sqrt(1.25)), is level from column 41 on.

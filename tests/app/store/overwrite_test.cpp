@@ -224,6 +224,7 @@ TEST_F(Overwrite, RedrawingIsRefusedForChangedFiles) {
     for (int time = 0; time < 2; ++time) {
         ASSERT_EQ(frana(draw).exit_code, 0);
         ASSERT_EQ(frana(compare).exit_code, 0);
+        open_as_a_gis(path("old/comparison.gpkg"), "SELECT count(*) FROM gpkg_contents");  // shown, not changed
     }
     write("old/maps/max_depth.png", "my arrows");
     write("old/comparison.qml", "my style");

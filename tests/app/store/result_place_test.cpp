@@ -143,7 +143,7 @@ TEST_F(Place, ThatCannotBeWrittenIsReportedWithTheScenesProblems) {
 
 TEST_F(Place, WhoseNameIsTooLongIsRefusedBeforeAFolderIsMade) {
     for (const std::string command : {"check", "run"}) {
-        const Outcome outcome = frana({command, "scene.ini", "--out", "above/" + std::string(245, 'a')});
+        const Outcome outcome = frana({command, "scene.ini", "--out", "above/" + std::string(249, 'a')});
         EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
         EXPECT_NE(outcome.err.find("--out: has a name that is too long"), std::string::npos) << outcome.err;
         EXPECT_NE(outcome.err.find("Choose a shorter one with --out"), std::string::npos) << outcome.err;

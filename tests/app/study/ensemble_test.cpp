@@ -194,8 +194,8 @@ TEST_F(Ensemble, AFileOfAChoiceThatCannotBeReadIsRefusedBefore) {
 // is a lower bound, and what all would do on the whole terrain lies below the upper one.
 TEST_F(Ensemble, FailedMembersAreCountedWithTheirReason) {
     const auto slope = [](int, int column) { return 300 - 0.5 * std::min((column + 0.5) * k_cell, 200.0); };
-    const std::string head = "samples = 8\nkeep = failed\n",
-                      rest = "[set]\ntime.end = 40\n[vary]\nmaterial.friction-angle = uniform(1, 40)\n";
+    write("angles.csv", "material.friction-angle\n3.4\n8.3\n13.2\n18.1\n22.9\n27.8\n32.7\n37.6\n");
+    const std::string head = "sampling = table:angles.csv\nkeep = failed\n", rest = "[set]\ntime.end = 40\n";
     write_dtm(slope);
     write_study(head, rest);
     ASSERT_EQ(run().exit_code, 0);

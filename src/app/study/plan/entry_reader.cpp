@@ -5,6 +5,7 @@
 
 #include "params/grammar/value_text.h"
 #include "params/keys/scene_parameters.h"
+#include "params/scene/read_scene.h"
 
 namespace frana::app::study {
 
@@ -21,8 +22,11 @@ bool EntryReader::is_good(const IniEntry& entry) {
 const Parameter* EntryReader::scene_key(const std::string& name, const IniEntry& entry) {
     const std::vector<Parameter>& keys = scene_parameters();
     const Parameter* const key = find_parameter(keys, name);
-    if (key == nullptr)
-        refuse_name("unknown key of the scene", name, names_of(keys), "`frana params` lists all keys", entry);
+    if (key == nullptr) {
+        Problem problem = unknown_key(keys, name, where(entry.name));
+        problem.value = entry.value;
+        add_problem(problem);
+    }
     return key;
 }
 

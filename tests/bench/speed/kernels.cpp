@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/speed/kernels.h"
+#include "kernels.h"
 
 #include <cmath>
 #include <memory>

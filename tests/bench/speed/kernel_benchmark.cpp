@@ -2,7 +2,7 @@
 // Time of each kernel, in nanoseconds per particle (the counter "ns"), with Google Benchmark.
 #include <benchmark/benchmark.h>
 
-#include "bench/speed/kernels.h"
+#include "kernels.h"
 
 int main(int count, char** words) {
     for (const auto& one : frana::bench::kernel_cases()) {

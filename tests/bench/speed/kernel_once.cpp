@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "bench/speed/kernels.h"
+#include "kernels.h"
 
 int main(int count, char** words) {
     const auto cases = frana::bench::kernel_cases();
