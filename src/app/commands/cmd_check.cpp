@@ -54,6 +54,7 @@ struct CheckedScene {
     const std::optional<TimeEstimate>& trial;
     const WritingForecast& writing;
     std::int64_t memory_bytes;
+    const std::vector<SchemeTime>& schemes;
     int threads;
     std::string result;  ///< folder
     const std::vector<Sentence>& warnings;
@@ -121,6 +122,11 @@ Json check_document(const CheckedScene& checked) {
                    {"estimate_is_lower_bound", !trial.has_value()},
                    {"path", trial ? ground_json(trial->path) : Json()},
                    {"terms", expected.terms}};
+    for (const SchemeTime& one : checked.schemes)
+        json["run"]["schemes"].push_back({{"scheme", one.scheme},
+                                          {"engine_seconds", one.refusal.empty() ? Json(one.engine_seconds) : Json()},
+                                          {"estimate_is_lower_bound", one.is_lower_bound},
+                                          {"refused", one.refusal.empty() ? Json() : Json(one.refusal)}});
     const std::string place = result_path(checked.result);
     json["result"] = {{"folder", place}, {"exists", has_files(place)}};
     return json;
@@ -257,8 +263,33 @@ void print_levels(const Prepared& prepared, const std::optional<TimeEstimate>& t
                            " s in all; the estimated time is that of " + number_text(own) + " m");
 }
 
+/// The time of the scene's own scheme and of the others that users choose from.
+std::vector<SchemeTime> scheme_times(const Prepared& prepared, double own, bool is_lower_bound,
+                                     const std::vector<std::string>& set, int threads) {
+    if (prepared.scene.structured) return {};  // it has no schemes
+    const Scheme scheme = prepared.scene.numerics.scheme;
+    std::vector<SchemeTime> times{{word_of(scheme, k_schemes), "", own, is_lower_bound}};
+    for (const Scheme other : {Scheme::standard, Scheme::finite_volume})
+        if (other != scheme)
+            times.push_back(scheme_time(
+                read_scene(prepared.spec.file, overridden(set, {"numerics.scheme=" + word_of(other, k_schemes)}),
+                           share_directory()),
+                threads));
+    return times;
+}
+
+void print_schemes(const std::vector<SchemeTime>& schemes) {
+    for (const SchemeTime& one : schemes)
+        print_fact(
+            &one == schemes.data() ? "by scheme" : "",
+            one.scheme + (one.refusal.empty() ? (one.is_lower_bound ? ": at least " : ": about ") +
+                                                    number_text(one.engine_seconds, 2) + " s of computing, an estimate"
+                                              : " is not possible: " + one.refusal));
+}
+
 void print_run(const Prepared& prepared, const RunEstimate& expected, const std::optional<TimeEstimate>& trial,
-               const WritingForecast& writing, int threads, const std::string& directory) {
+               const WritingForecast& writing, const std::vector<SchemeTime>& schemes, int threads,
+               const std::string& directory) {
     const auto words = [](const std::string& a, const std::string& b) { return a + " " + b; };
     std::printf("\nRun\n");
     print_fact("released",
@@ -287,6 +318,7 @@ void print_run(const Prepared& prepared, const RunEstimate& expected, const std:
     print_fact("first step", number_text(expected.first_step_seconds, 3) + " s, end at " +
                                  shortest_text(prepared.scene.time.end) + " s at most");
     print_fact("estimated time", time_text(expected, trial, writing.seconds, prepared.scene.time.end, threads));
+    print_schemes(schemes);
     print_fact("disk", "about " + bytes_text(writing.disk_bytes));
     print_levels(prepared, trial);
     for (std::size_t i = 0; i < expected.terms.size(); ++i) print_fact(i == 0 ? "terms" : "", expected.terms[i]);
@@ -315,8 +347,8 @@ int cmd_check(const Arguments& arguments) {
         if (json) print_document(document);
         return static_cast<int>(ExitCode::done);
     }
-    SceneReading reading =
-        read_scene((*values)["operand"].as<std::string>(), text_options(*values, "set"), share_directory());
+    const std::vector<std::string> set = text_options(*values, "set");
+    SceneReading reading = read_scene((*values)["operand"].as<std::string>(), set, share_directory());
     reading.session = session;
     find_recorded_inputs(reading, log);
     // Whether an existing result may be replaced is checked when the scene is run.
@@ -337,11 +369,13 @@ int cmd_check(const Arguments& arguments) {
     writing.seconds += input_seconds;
     const std::int64_t memory = memory_of_run(prepared, in_use, expected, trial);
     refuse_run_of(memory, reading, prepared);
+    const std::vector<SchemeTime> schemes =
+        scheme_times(prepared, engine_seconds(expected, trial), !trial, set, threads);
     if (!json) {
         std::printf("Scene %s is ready to run.\n", reading.scene.file.c_str());
         std::printf("\n%s", input_table(prepared, memory).c_str());
         print_site(prepared.scene);
-        print_run(prepared, expected, trial, writing, threads, directory);
+        print_run(prepared, expected, trial, writing, schemes, threads, directory);
         std::fflush(stdout);
     }
     compare_volumes(prepared.release.file_volume, expected.volume, log);
@@ -357,7 +391,7 @@ int cmd_check(const Arguments& arguments) {
         warn_of_unknown_exposure(*exposed, prepared.scene.grid.bounds(), &prepared.scene.terrain, log);
     if (json)
         print_document(
-            check_document({prepared, expected, trial, writing, memory, threads, directory, log.warnings()}));
+            check_document({prepared, expected, trial, writing, memory, schemes, threads, directory, log.warnings()}));
     return static_cast<int>(ExitCode::done);
 }
 

@@ -203,6 +203,21 @@ std::string draft_text(const SceneDraft& draft) {
     return text;
 }
 
+/// Returns a study of a scene, whose file is named from the study's folder. No preset asks for what finite volumes
+/// lack.
+std::string study_text(const std::string& scene) {
+    return "# A study of frana to begin with: `frana ensemble`, or with [objective] `frana calibrate`.\n\n[study]\n"
+           "scene = " +
+           scene +
+           "\n# Finite volumes are quick, and without flight. Two members are computed again by the default scheme:\n"
+           "# where the report tells of great differences, write default.\n"
+           "scheme = finite-volume\nsamples = 200\n\n[vary]\n"
+           "# To be given: only you know what is uncertain, and how much (share/doc/ensembles.md).\n"
+           "# release.volume = triangular(LEAST, LIKELIEST, GREATEST)\n"
+           "# material.friction-angle = triangular(LEAST, LIKELIEST, GREATEST)\n"
+           "# material.turbulence = log-uniform(LEAST, GREATEST)\n";
+}
+
 }  // namespace
 
 namespace fs = std::filesystem;
@@ -252,7 +267,8 @@ CommandForm new_form() {
     form.repeats = true;
     form.options.add_options()("out", one("FILE"), "scene file to write (default: scene.ini)")(
         "thickness", one("METRES"), "of the release: a number, attribute:NAME, raster:FILE, difference:PRE,POST")(
-        "preset", one("NAME"), "of the material: one of `frana materials`")("overwrite", "replace an existing file");
+        "preset", one("NAME"), "of the material: one of `frana materials`")(
+        "study", one("FILE"), "also a study of the scene to begin with")("overwrite", "replace an existing file");
     return form;
 }
 
@@ -264,9 +280,14 @@ int cmd_new(const Arguments& arguments) {
         throw Error(ErrorKind::input, Problem{"needs two files: the DTM and the perimeter of the release",
                                               "command line", "", "", "Usage: " + new_form().usage});
     const fs::path scene = fs::absolute(text_option(*values, "out").value_or("scene.ini")).lexically_normal();
-    if (fs::exists(scene) && values->count("overwrite") == 0)
-        throw Error(ErrorKind::input,
-                    Problem{"exists already", "--out", scene.string(), "", "Choose another name, or add --overwrite"});
+    const auto study = text_option(*values, "study");
+    const auto refuse_existing = [&](const std::string& option, const std::string& file) {
+        if (fs::exists(file) && values->count("overwrite") == 0)
+            throw Error(ErrorKind::input,
+                        Problem{"exists already", option, file, "", "Choose another name, or add --overwrite"});
+    };
+    refuse_existing("--out", scene.string());
+    if (study) refuse_existing("--study", *study);
     const auto thickness = text_option(*values, "thickness");
     const fs::path folder = scene.parent_path();
     SceneDraft draft = draft_of(files[0], files[1]);
@@ -280,7 +301,9 @@ int cmd_new(const Arguments& arguments) {
         throw Error(ErrorKind::environment, Problem{"the folder cannot be made: " + error.message(), "--out",
                                                     folder.string(), "", "Choose another place"});
     write_text_file(scene.string(), draft_text(draft));
-    std::cerr << "frana: wrote " << scene.string()
+    if (study)
+        write_text_file(*study, study_text(relative_path(scene.string(), fs::absolute(*study).parent_path().string())));
+    std::cerr << "frana: wrote " << scene.string() << (study ? " and " + *study : "")
               << "\nfrana: next: " << (open_keys(draft).empty() ? "" : "give " + open_keys(draft) + " in it, then ")
               << "frana check " << scene.string() << '\n';
     return static_cast<int>(ExitCode::done);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/commands/command_line.h"
+#include "app/input/check_inputs.h"
 #include "app/input/memory_bound.h"
 #include "app/pictures/animation.h"
 #include "app/process/terminal.h"
@@ -26,26 +27,34 @@ namespace {
 constexpr double k_trial_seconds = 1.5;  // wall, each
 // With fewer cells across, the flow of a release differs too much.
 constexpr double k_large_cells = 9;
-// Smaller cells let thin fronts spread further: growth of particle-steps scaled to the same cells, per halving, in the
-// sample and the shared examples.
+// Smaller cells let thin fronts spread further: growth of the work scaled to the same cells, per halving, in the sample
+// and the shared examples.
 constexpr double k_usual_growth = 1.3;
 // Cost of a trial on half the cells, and half as much for how the runs differ.
 constexpr double k_finer_cost = 12;
 
-/// Cost of a run on larger cells, scaled to the scene's own: particles scale with the square of the cells, steps with
-/// their side.
+/// Cost of a run on larger cells, scaled to the scene's own: particles and cells scale with the square of the cells,
+/// steps with their side.
 struct Trial {
-    double particle_steps = 0;
+    double work = 0;  ///< as work_of
     double steps = 0;
     double particles_peak = 0;
     double reached_cells = 0;
-    double seconds_per_particle_step = 0;
+    double seconds_per_work = 0;
     double reached = 0;  ///< simulated time [s]
     double seconds = 0;  ///< wall time of the engine
     bool cut_short = false;
     std::optional<GroundStatistics> path;
     double left = 0;  ///< fraction of the volume that left the ground
 };
+
+/// Particle-steps; of finite volumes, steps of cells with material.
+double work_of(const RunResult& result, const GridSpec& grid) {
+    if (result.particle_steps > 0) return static_cast<double>(result.particle_steps);
+    double area = 0;
+    for (const SeriesRow& row : result.series) area += row.covered_area;
+    return area / grid.cell_area();
+}
 
 Trial try_coarse(const SceneReading& reading, const GridSpec& grid, int factor, int threads) {
     SceneReading coarse = reading;
@@ -62,9 +71,9 @@ Trial try_coarse(const SceneReading& reading, const GridSpec& grid, int factor, 
     Trial trial;
     trial.reached = result.simulated_seconds;
     trial.cut_short = result.stop_reason == StopReason::requested;
-    const double steps = static_cast<double>(result.particle_steps), squared = factor * factor;
+    const double work = work_of(result, prepared.scene.grid), squared = factor * factor;
     const double rest = trial.cut_short ? prepared.scene.time.end / trial.reached : 1;
-    trial.particle_steps = steps * squared * factor * rest;
+    trial.work = work * squared * factor * rest;
     trial.steps = static_cast<double>(result.steps) * factor * rest;
     trial.particles_peak = static_cast<double>(result.particles_peak) * squared;
     trial.path = ground_where(prepared.scene.terrain, result.raster("max_depth"), reading.scene.output.trace_threshold);
@@ -73,7 +82,7 @@ Trial try_coarse(const SceneReading& reading, const GridSpec& grid, int factor, 
     });
     trial.left = left_fraction(result);
     trial.seconds = result.engine_seconds;
-    trial.seconds_per_particle_step = result.engine_seconds / steps;
+    trial.seconds_per_work = result.engine_seconds / work;
     return trial;
 }
 
@@ -93,25 +102,29 @@ std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Pre
         factor /= 2;
         coarse = std::exchange(fine, try_coarse(reading, grid, factor, threads));
     }
-    if (!(coarse.particles_peak > 0) || start.particles == 0) return std::nullopt;
+    const bool has_particles = prepared.scene.numerics.scheme != Scheme::finite_volume;
+    const double units =
+        has_particles ? static_cast<double>(start.particles) : released_area(prepared.scene) / grid.cell_area();
+    if (!(coarse.work > 0) || (has_particles && start.particles == 0)) return std::nullopt;
     // If both reached their end, the growth per halving of the cells follows from both; otherwise the complete one is
     // used.
     const bool both = !fine.cut_short && !coarse.cut_short;
     const bool use_fine = both || coarse.cut_short;
     const Trial& base = use_fine ? fine : coarse;
-    const double growth = both ? std::clamp(fine.particle_steps / coarse.particle_steps, 0.8, 2.0) : k_usual_growth;
-    const double more = std::clamp(fine.particles_peak / coarse.particles_peak, 1.0, 2.0);
+    const double growth =
+        both ? std::clamp(fine.work / coarse.work, 0.8, has_particles ? 2.0 : k_usual_growth) : k_usual_growth;
+    const double more = has_particles ? std::clamp(fine.particles_peak / coarse.particles_peak, 1.0, 2.0) : 1;
     TimeEstimate estimate;
     estimate.coarsening = use_fine ? factor : 2 * factor;
     estimate.trial_end = base.reached;
     estimate.cut_short = base.cut_short;
     estimate.path = fine.path;
     estimate.left = fine.left;
-    // With few particles each is expensive (as in the trial), and so are the first steps (of the scene itself).
-    const double start_cost =
-        start.wall_seconds * start.first_step_seconds / reading.scene.time.end / static_cast<double>(start.particles);
-    estimate.engine_seconds = base.particle_steps * std::pow(growth, std::log2(estimate.coarsening)) *
-                              std::min(start_cost, fine.seconds_per_particle_step);
+    // With few particles or cells each is expensive (as in the trial), and so are the first steps (of the scene
+    // itself).
+    const double start_cost = start.wall_seconds * start.first_step_seconds / reading.scene.time.end / units;
+    estimate.engine_seconds =
+        base.work * std::pow(growth, std::log2(estimate.coarsening)) * std::min(start_cost, fine.seconds_per_work);
     estimate.reached_cells = std::max(fine.reached_cells, coarse.reached_cells);
     estimate.steps = std::max(fine.steps, coarse.steps);
     estimate.particles_peak = std::max(start.particles, static_cast<std::int64_t>(base.particles_peak * more));
@@ -123,6 +136,23 @@ std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Pre
 
 double engine_seconds(const RunEstimate& start, const std::optional<TimeEstimate>& trial) {
     return trial ? trial->engine_seconds : start.wall_seconds;
+}
+
+SchemeTime scheme_time(const SceneReading& reading, int threads) {
+    SchemeTime time{word_of(reading.scene.numerics.scheme, k_schemes), "", 0, false};
+    const auto refuse = [&](const Error& error) {
+        const Problem& problem = error.problems().front();
+        time.refusal = problem.where + " " + problem.what;
+    };
+    attempt(refuse, [&] {
+        RunLog silent(true);
+        const Prepared prepared = prepare(reading, silent);
+        const RunEstimate start = estimate(prepared.scene, threads);
+        const std::optional<TimeEstimate> trial = estimate_time(reading, prepared, start, threads);
+        time.engine_seconds = engine_seconds(start, trial);
+        time.is_lower_bound = !trial;
+    });
+    return time;
 }
 
 namespace {

@@ -40,6 +40,16 @@ std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Pre
 /// Wall time of computing [s]; without a trial a lower bound, from the first steps.
 double engine_seconds(const RunEstimate& start, const std::optional<TimeEstimate>& trial);
 
+/// The time of a scene by one of the schemes.
+struct SchemeTime {
+    std::string scheme;           ///< "finite-volume"
+    std::string refusal;          ///< why the scene cannot be computed by it; empty: it can
+    double engine_seconds = 0;    ///< wall time of computing, estimated on this machine [s]
+    bool is_lower_bound = false;  ///< no trial was possible
+};
+/// Estimates that of a scene read with the scheme.
+SchemeTime scheme_time(const SceneReading& reading, int threads);
+
 /// What a command does besides computing: it reads, writes and draws.
 struct WritingForecast {
     double seconds = 0;     ///< wall

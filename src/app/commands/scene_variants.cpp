@@ -68,15 +68,7 @@ void ProgressReporter::finish() {
 }
 
 Prepared SceneVariants::read(const std::vector<std::string>& more) {
-    // A variant's value counts in place of the user's for the same key.
-    std::vector<std::string> all = overrides_;
-    std::erase_if(all, [&](const std::string& given) {
-        return std::any_of(more.begin(), more.end(), [&](const std::string& text) {
-            return given.starts_with(text.substr(0, text.find('=') + 1));
-        });
-    });
-    all.insert(all.end(), more.begin(), more.end());
-    const SceneReading reading = read_scene(file_, all, share_directory());
+    const SceneReading reading = read_scene(file_, overridden(overrides_, more), share_directory());
     Prepared prepared = prepare(reading, log_);
     prepared.scene.time.frame_interval = 0;
     return prepared;

@@ -19,6 +19,7 @@
 #include "app/study/plan/calibration_input.h"
 #include "app/study/plan/region_input.h"
 #include "app/study/publish/publish_calibration.h"
+#include "app/study/publish/scheme_check.h"
 #include "app/study/publish/study_files.h"
 #include "app/text/number_text.h"
 #include "app/text/text_table.h"
@@ -80,6 +81,11 @@ void print_scenarios(const study::StudyInput& input) {
     if (!text.empty()) print_fact("scenarios", text);
 }
 
+void print_scheme(const study::StudyInput& input) {
+    if (const auto scheme = study::common_scheme(input))
+        print_fact("scheme", word_of(*scheme, k_schemes) + "; two members again by the other one, as a check");
+}
+
 /// Returns the plan of each slope of a region, in order.
 std::vector<SlopePlan> slope_plans(const study::StudyInput& input) {
     std::vector<SlopePlan> plans;
@@ -117,6 +123,7 @@ void print_region(const study::StudyInput& input, const std::vector<SlopePlan>& 
     print_fact("slopes",
                std::to_string(plans.size()) + (failing == 0 ? "" : ", of which " + std::to_string(failing) + " fail"));
     print_scenarios(input);
+    print_scheme(input);
     for (const study::RegionSpec::Column& one : study.region->columns) print_fact(one.key, "column " + one.column);
     if (const auto& exposed = input.base.extra.exposure)
         print_fact("exposed", grouped(static_cast<double>(exposed->features.size())) + " features");
@@ -204,6 +211,7 @@ void print_study(const study::StudyInput& input, const StudyForecast& forecast, 
                               (study.per_polygon() ? "" : ", seed " + std::to_string(study.seed)));
     if (const auto& exposed = input.base.extra.exposure)
         print_fact("exposed", grouped(static_cast<double>(exposed->features.size())) + " features");
+    print_scheme(input);
     print_fact("estimated time", time_text(forecast, members, threads));
     print_fact("memory", bytes_text(static_cast<double>(forecast.peak_bytes)) +
                              ", of which each member that runs takes " +

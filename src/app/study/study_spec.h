@@ -123,8 +123,9 @@ inline constexpr std::size_t k_least_hits = 5;
 
 /// A study as specified in its file; the scene is not read yet.
 struct StudySpec {
-    std::string file;   ///< the study file, absolute
-    std::string scene;  ///< absolute
+    std::string file;              ///< the study file, absolute
+    std::string scene;             ///< absolute
+    std::optional<Scheme> scheme;  ///< of all members; none: that of the scene
     std::int64_t samples = 200;
     Sampling sampling = Sampling::sobol;
     std::string table;  ///< absolute; sampling by a table alone

@@ -341,7 +341,9 @@ void check_finite_volume(const SceneSpec& scene, const std::set<std::string>& gi
     constexpr const char* k_of_particles = "is for particles, which numerics.scheme = finite-volume does not have";
     for (const char* key : {"numerics.transfer", "numerics.particles-per-cell", "numerics.well-balanced",
                             "numerics.flight-angle", "numerics.flight-clearance", "numerics.flight-drag"})
-        if (given.contains(key)) refuse(key, "", k_of_particles);
+        if (const Parameter& one = *find_parameter(scene_parameters(), key);
+            given.contains(key) && one.write(scene) != one.write(SceneSpec{}))  // an echo has defaults
+            refuse(key, one.write(scene).value_or(""), k_of_particles);
     if (numerics.flight.value_or(false)) refuse("numerics.flight", "on", k_of_particles);
     if (!numerics.curvature.value_or(true) && slope_correction(numerics) != SlopeCorrection::none)
         refuse("numerics.curvature", "off", "is not possible with numerics.scheme = finite-volume");

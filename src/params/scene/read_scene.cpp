@@ -44,6 +44,16 @@ std::vector<std::string> input_files(const SceneSpec& scene) {
     return files;
 }
 
+std::vector<std::string> overridden(std::vector<std::string> all, const std::vector<std::string>& more) {
+    std::erase_if(all, [&](const std::string& one) {
+        return std::any_of(more.begin(), more.end(), [&](const std::string& other) {
+            return one.starts_with(other.substr(0, other.find('=') + 1));
+        });
+    });
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
 SceneReading read_scene(const std::string& path, const std::vector<std::string>& overrides, const std::string& share,
                         const std::string& override_label) {
     SceneReading reading;

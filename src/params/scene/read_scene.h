@@ -46,6 +46,9 @@ struct SceneReading {
 SceneReading read_scene(const std::string& path, const std::vector<std::string>& overrides, const std::string& share,
                         const std::string& override_label = "--set ");
 
+/// Returns overrides ("section.key=value") with others in place of those of the same keys.
+std::vector<std::string> overridden(std::vector<std::string> all, const std::vector<std::string>& more);
+
 /// Returns the input files of a scene, the scene file first.
 std::vector<std::string> input_files(const SceneSpec& scene);
 /// A file named by a key.

@@ -32,6 +32,21 @@ TEST_F(New, ASceneOfTheSamplePassesTheCheck) {
     EXPECT_EQ(keys, 20) << text;
 }
 
+TEST_F(New, AStudyToBeginWithUsesFiniteVolumes) {
+    ASSERT_EQ(frana({"new", "dtm.asc", "perimeter.geojson", "--thickness", "2", "--preset", "debris-flow", "--out",
+                     "my.ini", "--study", "study.ini"})
+                  .exit_code,
+              0);
+    const Outcome open = frana({"check", "study.ini"});
+    EXPECT_EQ(open.exit_code, 2);
+    EXPECT_NE(open.err.find("vary: has no key"), std::string::npos) << open.err;
+    write("study.ini", read_text(path("study.ini")) + "material.turbulence = log-uniform(300, 600)\n");
+    EXPECT_NE(read_text(path("study.ini")).find("\nscheme = finite-volume\n"), std::string::npos);
+    const Outcome checked = frana({"check", "study.ini"});
+    EXPECT_EQ(checked.exit_code, 0) << checked.err;
+    EXPECT_EQ(frana({"new", "dtm.asc", "perimeter.geojson", "--out", "b.ini", "--study", "study.ini"}).exit_code, 2);
+}
+
 TEST_F(New, AnOpenPresetIsAskedForWithTheChoicesAndRefusedByTheCheck) {
     ASSERT_EQ(frana({"new", "dtm.asc", "perimeter.geojson", "--thickness", "2", "--out", "my.ini"}).exit_code, 0);
     const std::string text = read_text(path("my.ini"));

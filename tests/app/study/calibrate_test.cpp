@@ -192,6 +192,8 @@ TEST_F(Calibrate, FindsTheValueThatDrewTheScarAndItsScoreIsThatOfCompare) {
     EXPECT_LE(friction["q05"].get<double>(), 17);
     EXPECT_GE(friction["q95"].get<double>(), 17);
     EXPECT_LT(friction["width_of_prior"].get<double>(), 0.7);
+    EXPECT_EQ(json["events"][0]["scheme"], "default");
+    EXPECT_EQ(json["events"][0]["scheme_check"]["members"].size(), 2U) << json["events"][0];
     const Outcome best = frana({"run", "out/best.ini", "--out", "best", "--quiet"});
     ASSERT_EQ(best.exit_code, 0) << best.err;
     EXPECT_NEAR(json_number(read_text(path("best/comparison.json")), "jaccard"), json["best_score"].get<double>(),

@@ -59,7 +59,8 @@ class Ensemble : public TinyScene {
     [[nodiscard]] double probability(const std::string& name, int row, int column) const {
         return gis::read_result_raster(path("out/" + name + ".tif")).at(row, column);
     }
-    /// Everything that must not differ: rasters with their styles, tables without wall times.
+    /// Everything that must not differ: rasters with their styles, tables without wall times, the check by
+    /// the other scheme.
     [[nodiscard]] std::map<std::string, std::string> lasting(const std::string& result) const {
         std::map<std::string, std::string> files;
         for (const std::string& name : TinyScene::files()) {
@@ -74,6 +75,8 @@ class Ensemble : public TinyScene {
             for (const auto& [key, value] : row) rows += key + "=" + value + ";";
         }
         files["members"] = rows;
+        const Json summary = parse_json(read_text(path(result + "/summary.json")));
+        files["scheme check"] = summary.contains("scheme_check") ? summary["scheme_check"].dump() : "";
         return files;
     }
     void expect_same(const std::string& a, const std::string& b) const {

@@ -369,7 +369,8 @@ std::string calibration_text(const CalibrationSpec& calibration) {
     const StudySpec& study = calibration.study;
     std::string text = "# A calibration as used; `frana calibrate` on this file repeats it.\n\n[study]\nsamples = " +
                        std::to_string(study.samples) + "\nsampling = " + name_of(study.sampling) +
-                       "\nseed = " + std::to_string(study.seed) + "\n\n[objective]\n" +
+                       "\nseed = " + std::to_string(study.seed) +
+                       (study.scheme ? "\nscheme = " + word_of(*study.scheme, k_schemes) : "") + "\n\n[objective]\n" +
                        keys_text(calibration_keys(), calibration, "objective");
     for (const MeasureRow& row : k_measures) {
         const auto found = std::find_if(calibration.objective.begin(), calibration.objective.end(),

@@ -93,6 +93,11 @@ const std::vector<StudyKey>& study_keys() {
         scene_file.limits = "a scene file";
         return std::vector<StudyKey>{
             scene_file,
+            option<StudySpec>(
+                "study.scheme", FRANA_MEMBER(scheme),
+                declare::Words<Scheme>{{"default", Scheme::standard}, {"finite-volume", Scheme::finite_volume}},
+                "Numerical scheme of all members; without it that of the scene. Two members are computed "
+                "again by the other one."),
             of_drawn(integer<StudySpec>("study.samples", FRANA_MEMBER(samples), 2, k_most_samples,
                                         "Number of members; with until the most."),
                      false),
@@ -240,6 +245,9 @@ void StudyReader::check() {
     if (study.scene.empty())
         add_problem({"is missing", where(is_region() ? "region.scene" : "study.scene"), "", "a scene file",
                      "Name the scene whose keys vary"});
+    for (const char* section : {"set.", "vary.", "columns."})
+        if (const std::string scheme = section + std::string("numerics.scheme"); study.scheme && has_seen(scheme))
+            add_problem({"is also given by scheme", where(scheme), "", "", "Keep one of them"});
     for (const Variation& one : study.vary)
         if (has_seen("set." + one.key))
             add_problem({"is also set for all members", where("vary." + one.key), "", "",

@@ -113,6 +113,7 @@ RegionKey degrees_key(int intensity) {
 const std::vector<RegionKey>& region_keys() {
     static const std::vector<RegionKey> k_keys{
         study_key("scene", "region", "The scene of every slope."),
+        study_key("scheme", "region"),
         study_key("keep", "region"),
         column_key("region.name", FRANA_MEMBER(name), "What each slope is called."),
         column_key("region.group", FRANA_MEMBER(group), "What each slope belongs to: a catchment, a commune."),

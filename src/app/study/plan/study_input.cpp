@@ -188,8 +188,9 @@ PolygonMembers polygon_members(const StudySpec& study, const std::string& label,
 
 SceneReading read_member(const StudyReading& reading, const std::vector<std::string>& overrides) {
     std::vector<std::string> all = reading.study.set;
-    all.insert(all.end(), overrides.begin(), overrides.end());
-    SceneReading scene = read_scene(reading.study.scene, all, share_directory(), reading.label + ": ");
+    if (reading.study.scheme) all.push_back("numerics.scheme=" + word_of(*reading.study.scheme, k_schemes));
+    SceneReading scene =
+        read_scene(reading.study.scene, overridden(std::move(all), overrides), share_directory(), reading.label + ": ");
     scene.session = reading.session;
     resolve_language(scene.scene);
     return scene;

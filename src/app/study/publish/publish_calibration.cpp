@@ -394,6 +394,8 @@ std::string calibration_json(const CalibrationInput& input, const CalibrationRun
         const MemberAgreement& best = runs_of_event.members[result.best].agreement;
         for (std::size_t m = 0; m < runs_of_event.measures.size(); ++m)
             event["best_misfits"][row_of(runs_of_event.measures[m].measure).name] = best.parts[m];
+        event["scheme"] = scheme_json(input.own[e]);
+        if (const auto& check = result.scheme_checks[e]) event["scheme_check"] = check_json(*check);
         if (input.events() > 1) event["leave_one_out"] = json_of(result, result.events[e].predicted);
         events.push_back(std::move(event));
     }
@@ -441,6 +443,22 @@ std::vector<NamedFile> inputs_of(const CalibrationInput& input) {
     return files;
 }
 
+/// Computes members that the surveys give weight by the other scheme, for each event.
+void check_schemes(const CalibrationInput& input, const CalibrationRuns& runs, int threads, CalibrationResult& result) {
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        std::vector<CheckCandidate> candidates;
+        const RecordFiles records(runs.events[e].records);
+        for (std::size_t i = 0; i < runs.size(); ++i)
+            if (result.weights[i] > 0)
+                candidates.push_back(
+                    {i, result.weights[i], require_own_record(input.own[e], records.place(i), i).figures});
+        const auto& check = result.scheme_checks.emplace_back(check_scheme(input.own[e], candidates, threads));
+        if (!check) continue;
+        for (const Sentence& sentence : sentences_of(*check))
+            result.assumed.push_back(worded("{1}: {2}", {input.spec().events[e].name, sentence}));
+    }
+}
+
 void write_best_scenes(const CalibrationInput& input, const CalibrationResult& result,
                        const ResultDirectory& directory) {
     for (std::size_t e = 0; e < input.events(); ++e) {
@@ -483,7 +501,8 @@ void load_calibration_drawing(const CalibrationInput& input, Loading loading) {
 
 StudyOutcome publish_calibration(const CalibrationInput& input, const CalibrationRuns& runs, int threads,
                                  const Stopwatch& since_start, const ResultDirectory& directory, RunLog& log) {
-    const CalibrationResult result = calibration_result(input, runs);
+    CalibrationResult result = calibration_result(input, runs);
+    check_schemes(input, runs, threads, result);
     StudyOutcome outcome;
     const std::vector<RunOfStudy> all = runs_of(runs);
     const Troubles troubles = troubles_of(all, false);

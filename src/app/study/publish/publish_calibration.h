@@ -10,6 +10,7 @@
 #include "app/store/result_directory.h"
 #include "app/study/pool/calibration_runs.h"
 #include "app/study/publish/publish_study.h"
+#include "app/study/publish/scheme_check.h"
 
 namespace frana::app::study {
 
@@ -40,9 +41,10 @@ struct CalibrationResult {
     std::vector<KeyPosterior> posteriors;  ///< by key
     std::vector<IndistinctPair> indistinct;
     std::vector<EventResult> events;
-    std::vector<Sentence> sentences;  ///< what the surveys say
-    std::vector<Sentence> assumed;    ///< the likelihood of each event, and how the search ended
-    std::vector<Sentence> doubts;     ///< why the intervals may be wrong
+    std::vector<Sentence> sentences;                        ///< what the surveys say
+    std::vector<Sentence> assumed;                          ///< the likelihood of each event, and how the search ended
+    std::vector<Sentence> doubts;                           ///< why the intervals may be wrong
+    std::vector<std::optional<SchemeCheck>> scheme_checks;  ///< by event
 };
 
 /// Throws Error(numerical) if no member finished for all events.

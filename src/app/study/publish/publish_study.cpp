@@ -344,6 +344,14 @@ std::optional<StudyComparison> compare_study(const StudyInput& input, const Resu
     });
 }
 
+std::vector<CheckCandidate> candidates_of(const StudyResult& result) {
+    std::vector<CheckCandidate> candidates;
+    for (std::size_t i = 0; i < result.finished.size(); ++i)
+        if (const MemberResult& one = result.members[result.finished_at[i]]; result.finished.weights[i] > 0)
+            candidates.push_back({one.member, result.finished.weights[i], one.figures});
+    return candidates;
+}
+
 /// The files that the central scene and the study name.
 std::vector<NamedFile> inputs_of(const StudyInput& input) {
     std::vector<NamedFile> files = named_files(input.base.spec);
@@ -374,6 +382,7 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
     const StudySpec echoed = seen_from(input.reading.study, directory.target());
     write_text_file(directory.path(is_region ? k_region_file : k_study_file),
                     is_region ? region_text(echoed) : study_text(echoed));
+    if (const auto scheme = common_scheme(input)) input.base.tags["SCHEME"] = word_of(*scheme, k_schemes);
     facts.threads = study.threads;
     facts.computed = study.computed;
     facts.date = today();
@@ -393,6 +402,9 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
             facts.median = median_member(result);
             if (facts.median) film_member(input, result, *facts.median, directory, log);
         }
+        facts.scheme_check = check_scheme(input, candidates_of(result), study.threads);
+        if (facts.scheme_check)
+            for (const Sentence& sentence : sentences_of(*facts.scheme_check)) log.info(sentence.text());
         write_member_outlines(input, result, directory.path(k_member_outlines));
         facts.exposure = publish_study_exposure(input, result, map, directory);
         if (facts.exposure) log.info(exposure_sentence(*facts.exposure, exposure_reached_by(input)));

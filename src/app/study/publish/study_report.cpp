@@ -148,6 +148,14 @@ Document reached_by_sources(const StudyInput& input, const StudyResult& result, 
     return Document().paragraph(words("Where it goes."), text);
 }
 
+/// What the members computed by the other scheme say.
+std::string scheme_told(const StudyFacts& facts, const Words& words) {
+    std::string text;
+    if (facts.scheme_check)
+        for (const Sentence& sentence : sentences_of(*facts.scheme_check)) text += " " + sentence.in(words);
+    return text;
+}
+
 std::string runs_sentence(const StudyInput& input, const StudyResult& result, const Words& words) {
     const StudySpec& study = input.reading.study;
     const std::string finished = std::to_string(result.finished_at.size()), all = std::to_string(result.members.size());
@@ -162,12 +170,13 @@ Document sure(const StudyInput& input, const StudyResult& result, const StudyFac
     const StudySpec& study = input.reading.study;
     std::string text = runs_sentence(input, result, words);
     if (result.failed() > 0) text += " " + words("{1} failed and are in no map.", {std::to_string(result.failed())});
-    if (study.per_polygon()) return Document().paragraph(words("How sure."), text);
+    if (study.per_polygon()) return Document().paragraph(words("How sure."), text + scheme_told(facts, words));
     text += " " + words(
                       "The standard error of the probabilities is at most {1} %, on average {2} % where it is not 0: "
                       "it measures the number of runs, not how well model, terrain and distributions describe "
                       "nature.",
                       {number.percent(facts.error.largest()), number.percent(facts.error.mean())});
+    text += scheme_told(facts, words);
     text += " " + words(
                       "Where all or none of the runs come, that is not certain: a probability {1} % away from it is "
                       "still possible (95 % confidence).",

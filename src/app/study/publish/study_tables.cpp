@@ -280,6 +280,8 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
                               {"standard_error", rare->probability.error},
                               {"interval_95", {rare->probability.low(), rare->high}},
                               {"members_that_came", rare->hits}};
+    json["scheme"] = scheme_json(input);
+    if (facts.scheme_check) json["scheme_check"] = check_json(*facts.scheme_check);
     if (const auto& median = facts.median)
         json["median_member"] = {{"member", median->member},
                                  {"figure", median->figure.key},

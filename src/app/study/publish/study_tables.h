@@ -11,6 +11,7 @@
 #include "app/store/result_directory.h"
 #include "app/study/plan/study_input.h"
 #include "app/study/pool/study_result.h"
+#include "app/study/publish/scheme_check.h"
 
 namespace frana::app::study {
 
@@ -47,6 +48,7 @@ struct StudyFacts {
     std::optional<MedianMember> median;
     std::optional<RarePlace> rare_place;
     std::optional<ExposureTotals> exposure;
+    std::optional<SchemeCheck> scheme_check;
     std::vector<FrictionArea> friction_areas;  ///< of the ground that at least one run reached
     std::string date;                          ///< the day it was written, "2026-11-24"
     /// Areas deeper than the threshold at some time [m2]: with the probability of each of k_study_quantiles at least;

@@ -71,13 +71,18 @@ TEST_F(Ranks, RegionsHaveTheSameBitsToo) {
         "perimeter.geojson",
         R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "EPSG:32632"}}, "features": [)" +
             features + "]}");
-    write("region.ini", "[region]\nscene = scene.ini\nwindow = 100\n");
+    write("region.ini", "[region]\nscene = scene.ini\nscheme = finite-volume\nwindow = 100\n");
     ASSERT_EQ(frana({"batch", "region.ini", "--out", "alone", "--threads", "1", "--quiet"}).exit_code, 0);
     const Outcome outcome = mpirun(2, {"batch", "region.ini", "--out", "ranks", "--quiet"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(members("ranks").size(), 3U);
     for (const std::string name : {"union_max_depth.tif", "union_max_pressure.tif", "worst_source.tif"})
         EXPECT_TRUE(read_text(path("alone/" + name)) == read_text(path("ranks/" + name))) << name;
+    const auto check = [&](const std::string& of) {
+        return parse_json(read_text(path(of + "/summary.json")))["scheme_check"];
+    };
+    EXPECT_FALSE(check("alone")["members"].empty()) << check("alone");
+    EXPECT_EQ(check("alone"), check("ranks"));
 }
 
 TEST_F(Ranks, SameBitsForAnyNumberOfRanks) {
