@@ -46,6 +46,7 @@ struct Trial {
     bool cut_short = false;
     std::optional<GroundStatistics> path;
     double left = 0;  ///< fraction of the volume that left the ground
+    bool meets_gap = false;
 };
 
 /// Particle-steps; of finite volumes, steps of cells with material.
@@ -81,6 +82,7 @@ Trial try_coarse(const SceneReading& reading, const GridSpec& grid, int factor, 
         trial.reached_cells += std::isnan(depth) ? 0 : squared;
     });
     trial.left = left_fraction(result);
+    trial.meets_gap = result.stop_reason == StopReason::reached_no_data;
     trial.seconds = result.engine_seconds;
     trial.seconds_per_work = result.engine_seconds / work;
     return trial;
@@ -120,6 +122,7 @@ std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Pre
     estimate.cut_short = base.cut_short;
     estimate.path = fine.path;
     estimate.left = fine.left;
+    estimate.meets_gap = fine.meets_gap;
     // With few particles or cells each is expensive (as in the trial), and so are the first steps (of the scene
     // itself).
     const double start_cost = start.wall_seconds * start.first_step_seconds / reading.scene.time.end / units;

@@ -27,6 +27,7 @@ struct TimeEstimate {
     bool cut_short = false;                ///< the trial was stopped before its end, the rest is extrapolated
     std::optional<GroundStatistics> path;  ///< the ground that the trial's flow covered
     double left = 0;                       ///< fraction of the trial's volume that left the ground
+    bool meets_gap = false;                ///< whether ground without elevation ended the trial
 };
 
 /// Runs the scene on cells four and eight times as large (two and four for a small release), for at most a second and a

@@ -212,6 +212,9 @@ TEST_F(Mistakes, CheckTellsThatTheTrialLeavesTheDtm) {
     const Outcome cut =
         check({"time.end=60", "terrain.bounds=527000 5094000 527120 5094150", "material.friction-angle=3"});
     expect_words(cut.err, {"% of the volume leaves the DTM in the trial", "terrain.bounds"});
+    write_dtm([](int, int column) { return column >= 18 ? -9999.0 : 300 - 2.0 * column; });
+    const Outcome hole = check({"time.end=60", "material.friction-angle=3"});
+    expect_words(hole.err, {"the trial ends at ground without elevation", "terrain.nodata-policy"});
 }
 
 TEST_F(Mistakes, ARunTellsOfExposedThingsOffItsGround) {
