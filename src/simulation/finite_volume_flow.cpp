@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "simulation/dispatch.h"
+#include "simulation/run_warnings.h"
 #include "simulation/scene.h"
 
 namespace frana {
@@ -38,6 +39,8 @@ finite_volume::Laws laws_of(const Material& material, const MaterialZones& zones
     laws.along_bed = slope_correction(numerics) != SlopeCorrection::none;
     laws.curved = curvature(numerics);
     laws.wall = shared.wall;
+    laws.flies = numerics.flight.value_or(true) && !tilt;
+    laws.jumps = shared.jumps;
     voellmy_bingham::Stages stages;
     choose_exchange(entrainment, numerics, stages);
     laws.exchange_at_nodes = stages.exchange_at_nodes;
@@ -200,6 +203,11 @@ Model::Snapshot FiniteVolumeFlow::snapshot() {
 
 void FiniteVolumeFlow::add_to(RunResult& result) const {
     if (state_.erodible_beds.size() != 0) add_exchange(state_.erodible_beds, state_.exchanged, result);
+    const JumpStatistics& jumps = state_.jumps;
+    if (jumps.volume > 0)
+        warn_of_jumps({jumps.volume, jumps.highest, jumps.longest, jumps.way / jumps.volume,
+                       grid_.map_from_local(jumps.from), grid_.map_from_local(jumps.to)},
+                      result);
 }
 
 }  // namespace frana

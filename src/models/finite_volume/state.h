@@ -7,6 +7,7 @@
 #include "core/thread_pool.h"
 #include "models/finite_volume/cells.h"
 #include "models/voellmy_bingham/state.h"
+#include "mpm/flight.h"
 #include "mpm/node_grid.h"
 #include "particles/tile_order.h"
 
@@ -40,6 +41,8 @@ struct Laws {
     bool along_bed = true;  ///< with slope correction
     bool curved = true;     ///< with the load of the bed's curvature
     bool wall = false;      ///< at the edges of the terrain
+    bool flies = true;      ///< what would leave the ground is told of
+    JumpRules jumps;
     voellmy_bingham::BedFriction friction;
     voellmy_bingham::PlaneStressLaw stress;
     voellmy_bingham::BedExchange exchange;
@@ -65,6 +68,8 @@ struct State {
     std::int64_t steps = 0;
     ZeroArray<ErodibleBed> erodible_beds;  ///< padded; empty if the bed does not change
     ExchangeReport exchanged;
+    JumpStatistics jumps;  ///< that find_jumps found
+    double untested = 0;   ///< time since it looked [s]
 
     // What follows from the ground, read where the flow arrives, and what lives within a step.
     ZeroArray<double> bed, slope_x, slope_y, root, curvature_xx, curvature_xy, curvature_yy;
@@ -72,6 +77,7 @@ struct State {
     ZeroArray<double> force_x, force_y;  ///< of the in-plane stress, over density [m2/s2]; else empty
     ZeroArray<std::uint8_t> ready;       ///< by tile: the ground was read
     ZeroArray<BedState> bed_states;      ///< if friction is summed
+    Edges edges;
     std::vector<Strip> strips;
     std::size_t n_strips = 0;
     std::vector<Region> prepared;  ///< the same with one more cell on every side
@@ -92,7 +98,7 @@ void serialise(Archive& archive, TileRecord& record) {
 template <class Archive>
 void serialise(Archive& archive, State& s) {
     archive(s.nodes, s.depth, s.qx, s.qy, s.held, s.wet, s.records, s.time, s.wave, s.diffusivity, s.volume_left,
-            s.momentum, s.steps, s.erodible_beds, s.exchanged);
+            s.momentum, s.steps, s.erodible_beds, s.exchanged, s.jumps, s.untested);
 }
 
 }  // namespace frana::finite_volume

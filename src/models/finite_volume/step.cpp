@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "models/finite_volume/jumps.h"
 #include "models/finite_volume/sweeps.h"
 #include "mpm/curvature.h"
 
@@ -179,7 +180,8 @@ State::State(NodeGrid grid)
             k_ghost,
             nodes.cell_size(),
             nodes.scale().origin_x - k_ghost,
-            nodes.scale().origin_y - k_ghost} {
+            nodes.scale().origin_y - k_ghost},
+      edges(nodes.size()) {
     for (ZeroArray<double>* array :
          {&depth, &qx, &qy, &bed, &slope_x, &slope_y, &root, &curvature_xx, &curvature_xy, &curvature_yy, &weight,
           &slowed_x, &slowed_y, &pull_x, &pull_y, &bound, &held, &head, &start})
@@ -238,6 +240,7 @@ StepReport step(State& s, const Laws& laws, double limit, Maxima& maxima, Thread
     report.dt = values.dt;
     s.time = values.time;
     ++s.steps;
+    find_jumps(s, laws, values.dt, pool);
     return report;
 }
 
