@@ -96,12 +96,35 @@ void FiniteVolumeFlow::lower_bed(const Raster& depth) {
     finite_volume::settle(state_, laws_);
 }
 
+// Adds half of the energies of the present state: those of a step are in its middle, as those of the particles.
+void FiniteVolumeFlow::add_half_of_energies(StepStatistics& f) const {
+    finite_volume::TileRecord sum{};
+    for (const std::int64_t tile : state_.wet) {
+        const finite_volume::TileRecord& r = state_.records[static_cast<std::size_t>(tile)];
+        sum.depth += r.depth;
+        sum.kinetic += r.kinetic;
+        sum.energy += r.energy;
+        sum.levelled += r.levelled;
+        sum.sloping += r.sloping;
+    }
+    const double half = 0.5 * state_.cell_area();
+    f.energy_volume += half * sum.depth;
+    f.energy_moving += half * sum.kinetic;
+    f.energy += half * sum.energy;
+    f.energy_levelled += half * sum.levelled;
+    f.energy_sloping += half * sum.sloping;
+    f.kinetic = 2 * half * sum.kinetic;
+}
+
 StepStatistics FiniteVolumeFlow::step(double dt_limit) {
-    const finite_volume::StepReport report = finite_volume::step(state_, laws_, dt_limit, maxima_, pool_);
     StepStatistics f;
+    f.energy = 0;
+    add_half_of_energies(f);
+    const finite_volume::StepReport report = finite_volume::step(state_, laws_, dt_limit, maxima_, pool_);
+    add_half_of_energies(f);
+    f.energy_dissipated = report.dissipated;
     f.dt = report.dt;
     f.max_speed = f.fastest = report.max_speed;
-    f.kinetic = report.kinetic;
     f.moving = report.moving;
     f.unsupported = report.unsupported;
     f.non_finite = report.not_finite;

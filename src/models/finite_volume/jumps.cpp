@@ -17,8 +17,8 @@ Jump jump_in(const State& s, const Laws& laws, std::size_t k, const CellMotion& 
     const auto cell = static_cast<std::int64_t>(k);
     const Point middle = s.nodes.middle(cell % s.nodes.stride(), cell / s.nodes.stride());
     const double time = s.nodes.cell_size() / std::hypot(motion.u, motion.v);
-    return find_jump(s.nodes, laws.jumps, {middle.x - 0.5 * time * motion.u, middle.y - 0.5 * time * motion.v}, along, h,
-                     time)
+    return find_jump(s.nodes, laws.jumps, {middle.x - 0.5 * time * motion.u, middle.y - 0.5 * time * motion.v}, along,
+                     h, time)
         .value_or(Jump{});
 }
 

@@ -315,8 +315,8 @@ FRANA_INLINE void finish_cells(const Cells& c, std::size_t k, std::size_t n, con
     const Number driven = sqrt(tx * tx + ty * ty), before = at(c.start);
     const auto held = L::none(wet) | (at(c.held) > 0.5);
     const NodeUpdate step{.dt = v.dt, .gravity = v.gravity};
-    const Number slowed = friction.template speed_after<Number>(k, n, select(before < 0, driven, before), driven, held,
-                                                                step, root, supported, some);
+    const Number began = select(before < 0, driven, before);
+    const Number slowed = friction.template speed_after<Number>(k, n, began, driven, held, step, root, supported, some);
     // No cell is faster than the energy of those around it before the step allows.
     const Number energy = max(max(highest(-c.stride), highest(0)), highest(c.stride)) - v.gravity * at(c.bed);
     const Number speed =
@@ -345,7 +345,8 @@ FRANA_INLINE void finish_cells(const Cells& c, std::size_t k, std::size_t n, con
     to_greatest(select(deep, speed, zero), totals.max_speed);
     to_greatest(select(wet, max(abs(moved.x), abs(moved.y)) + sqrt(v.wave_factor * at(c.weight) * h), zero),
                 totals.wave);
-    to_sum(0.5 * h * speed * speed, totals.kinetic);
+    // Friction's work over the way of the step, by the mean speed: what does not move does none.
+    to_sum(0.5 * h * (driven - slowed) * (began + slowed), totals.dissipated);
     to_sum(h * speed, totals.momentum);
     to_sum(select(speed > v.moving_speed, h, zero), totals.moving);
     to_sum(select(wet & L::none(curved > -v.gravity), one, zero), totals.unsupported);

@@ -23,6 +23,9 @@ struct TileRecord {
     std::int32_t i0, i1, j0, j1;  ///< what may move lies in [i0, i1) x [j0, j1), padded; i1 = 0: nothing
     std::int32_t wet, covered;    ///< cells with material; those as deep as the minimum depth
     double depth, thin, deepest;  ///< sums over cells: of all, of those not as deep [m]; greatest depth [m]
+    /// Sums over cells, per cell area and density [m3/s2]: kinetic energy, that and the potential one, what of this a
+    /// flow along the bed would have less and a level one more.
+    double kinetic, energy, levelled, sloping;
 };
 
 /// Adjacent tiles that are computed together.
@@ -91,14 +94,14 @@ struct State {
 
 template <class Archive>
 void serialise(Archive& archive, TileRecord& record) {
-    auto& [i0, i1, j0, j1, wet, covered, depth, thin, deepest] = record;
-    archive(i0, i1, j0, j1, wet, covered, depth, thin, deepest);
+    auto& [i0, i1, j0, j1, wet, covered, depth, thin, deepest, kinetic, energy, levelled, sloping] = record;
+    archive(i0, i1, j0, j1, wet, covered, depth, thin, deepest, kinetic, energy, levelled, sloping);
 }
 
 template <class Archive>
 void serialise(Archive& archive, State& s) {
-    archive(s.nodes, s.depth, s.qx, s.qy, s.held, s.wet, s.records, s.time, s.wave, s.diffusivity, s.volume_left,
-            s.momentum, s.steps, s.erodible_beds, s.exchanged, s.jumps, s.untested);
+    archive(s.nodes, s.depth, s.qx, s.qy, s.held, s.weight, s.wet, s.records, s.time, s.wave, s.diffusivity,
+            s.volume_left, s.momentum, s.steps, s.erodible_beds, s.exchanged, s.jumps, s.untested);
 }
 
 }  // namespace frana::finite_volume

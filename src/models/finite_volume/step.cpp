@@ -59,7 +59,7 @@ TileRecord survey(const State& s, const Laws& laws, std::int64_t tile) {
     const NodeRange range(tile, s.tiles, s.nodes);
     const StepValues& v = laws.values;
     const bool rests = may_rest(laws);
-    TileRecord r{1 << 30, 0, 1 << 30, 0, 0, 0, 0, 0, 0};
+    TileRecord r{1 << 30, 0, 1 << 30, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     range.for_each(s.nodes.stride(), [&](std::size_t k, std::int64_t i, std::int64_t j) {
         const double h = s.depth[k];
         if (h == 0) return;
@@ -71,6 +71,13 @@ TileRecord survey(const State& s, const Laws& laws, std::int64_t tile) {
         } else {
             ++r.covered;
         }
+        // The pressure of the flow is g' h^2 / 2; before the first step as that of a flow along the bed.
+        const double along = v.gravity / (s.root[k] * s.root[k]), weight = s.weight[k] > 0 ? s.weight[k] : along,
+                     half = 0.5 * h * h, kinetic = 0.5 * (s.qx[k] * s.qx[k] + s.qy[k] * s.qy[k]) / h;
+        r.kinetic += kinetic;
+        r.energy += kinetic + v.gravity * h * s.nodes.bed[k] + half * weight;
+        r.levelled += half * (weight - along);
+        r.sloping += half * (v.gravity - weight);
         if (h <= v.dry || (rests && s.held[k] > 0.5 && s.start[k] == 0)) return;
         r.i0 = std::min(r.i0, static_cast<std::int32_t>(i));
         r.i1 = std::max(r.i1, static_cast<std::int32_t>(i + 1));
@@ -145,7 +152,7 @@ StepReport account(State& s, const Laws& laws, ThreadPool& pool) {
         report.max_speed = std::max(report.max_speed, greatest(t.max_speed));
         s.wave = std::max(s.wave, greatest(t.wave));
         s.momentum += area * sum(t.momentum);
-        report.kinetic += area * sum(t.kinetic);
+        report.dissipated += area * sum(t.dissipated);
         report.moving += area * sum(t.moving);
         report.unsupported += static_cast<std::int64_t>(sum(t.unsupported));
         report.not_finite += static_cast<std::int64_t>(sum(t.not_finite));

@@ -9,7 +9,7 @@ namespace frana::finite_volume {
 struct StepReport {
     double dt = 0;                                              ///< [s]
     double max_speed = 0;                                       ///< along the bed [m/s]
-    double kinetic = 0;                                         ///< energy over density [m5/s2]
+    double dissipated = 0;                                      ///< energy by friction, over density [m5/s2]
     double moving = 0;                                          ///< volume faster than StepValues::moving_speed [m3]
     std::int64_t unsupported = 0, not_finite = 0, no_data = 0;  ///< cells
 };
