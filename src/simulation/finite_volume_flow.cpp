@@ -65,6 +65,9 @@ FiniteVolumeFlow::FiniteVolumeFlow(const Ground& ground, const std::optional<Ras
     if (!std::holds_alternative<NoStress>(laws_.stress.law))
         for (ZeroArray<double>* force : {&state_.force_x, &state_.force_y})
             *force = ZeroArray<double>(state_.nodes.size());
+    const PorePressure& pores = laws_.friction.pore_pressure;
+    if (pores.active()) state_.carried[0] = ZeroArray<double>(state_.nodes.size());
+    if (pores.active() && pores.dilates()) state_.carried[1] = ZeroArray<double>(state_.nodes.size());
     if (entrainment.active()) {
         set_erodible_beds(entrainment, zones, state_.nodes, state_.erodible_beds);
         state_.nodes.bed_changes = true;
@@ -83,9 +86,11 @@ void FiniteVolumeFlow::add_particles(const ParticleSet& particles) {
             state_.volume_left += volume[p];
             continue;
         }
+        PorePressure::State pores = laws_.friction.pore_pressure.initial;
+        if (particles.mask().has(Field::pore_pressure)) pores.ratio = particles[Field::pore_pressure][p];
         finite_volume::add_to_cell(state_, laws_, whole_below(x[p] * scale.inverse_dx) + scale.origin_x,
                                    whole_below(y[p] * scale.inverse_dx) + scale.origin_y,
-                                   volume[p] / state_.cell_area(), u[p], v[p]);
+                                   volume[p] / state_.cell_area(), {u[p], v[p]}, pores);
     }
     finite_volume::settle(state_, laws_);
 }
@@ -193,8 +198,8 @@ double FiniteVolumeFlow::volume() const {
 
 std::size_t FiniteVolumeFlow::bytes_per_node() const noexcept {
     constexpr std::size_t k_arrays = 20;  // the bed and those of finite_volume::State
-    return k_arrays * sizeof(double) + Maxima::k_bytes +
-           (laws_.friction.summed ? sizeof(BedState) + sizeof(NodeRecord) : 0) +
+    return (k_arrays + (state_.carried[0].size() != 0) + (state_.carried[1].size() != 0)) * sizeof(double) +
+           Maxima::k_bytes + (laws_.friction.summed ? sizeof(BedState) + sizeof(NodeRecord) : 0) +
            (state_.erodible_beds.size() != 0 ? sizeof(ErodibleBed) : 0);
 }
 

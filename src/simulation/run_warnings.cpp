@@ -23,7 +23,7 @@ namespace {
 using Warnings = std::vector<RunWarning>;
 
 constexpr double k_shown_fraction = 0.05;  // relative difference of a raster's volume from the flow's without a warning
-constexpr double k_jumping = 0.01;         // of all volume, over all jumps
+constexpr double k_jumping = 0.05;         // of all volume, over all jumps
 constexpr double k_energy_error = 0.005;   // greatest rise of energy without a warning, of the work of gravity
 constexpr double k_pile = 0.05;            // of the deepest deposit, that a pile may stand too high without a warning
 constexpr double k_thin_fraction = 0.1;    // of the volume that may be thinner than visible without a warning

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -61,6 +62,7 @@ struct State {
     NodeGrid nodes;
     TileGrid tiles;
     ZeroArray<double> depth, qx, qy;  ///< padded as the nodes are: Cells
+    ZeroArray<double> carried[2];     ///< h r and h m of PorePressure [m]; empty: the scene lacks them
     std::vector<std::int64_t> wet;    ///< tiles with any material, ascending
     ZeroArray<TileRecord> records;    ///< by tile
     double time = 0;                  ///< [s]
@@ -86,6 +88,19 @@ struct State {
     std::vector<Region> prepared;  ///< the same with one more cell on every side
 
     [[nodiscard]] Cells cells(Maxima& maxima);
+    /// Of a cell with material.
+    [[nodiscard]] PorePressure::State pores(std::size_t k) const noexcept {
+        const auto of = [&](const ZeroArray<double>& content) {
+            return content.size() != 0 ? std::clamp(content[k] / depth[k], 0.0, 1.0) : 0;
+        };
+        return {of(carried[0]), of(carried[1])};
+    }
+    /// Sets, or with `more` adds, what a depth of material carries.
+    void set_pores(std::size_t k, double of_depth, const PorePressure::State& pores, bool more = false) noexcept {
+        const double values[] = {pores.ratio, pores.solid_fraction};
+        for (std::size_t n = 0; n < 2; ++n)
+            if (carried[n].size() != 0) carried[n][k] = (more ? carried[n][k] : 0) + of_depth * values[n];
+    }
     [[nodiscard]] double cell_area() const noexcept { return nodes.cell_size() * nodes.cell_size(); }
     [[nodiscard]] std::int64_t tile_of(std::int64_t i, std::int64_t j) const noexcept {
         return (j + tiles.before_y()) / k_tile * tiles.tiles_x() + (i + tiles.before_x()) / k_tile;
@@ -100,8 +115,9 @@ void serialise(Archive& archive, TileRecord& record) {
 
 template <class Archive>
 void serialise(Archive& archive, State& s) {
-    archive(s.nodes, s.depth, s.qx, s.qy, s.held, s.weight, s.wet, s.records, s.time, s.wave, s.diffusivity,
-            s.volume_left, s.momentum, s.steps, s.erodible_beds, s.exchanged, s.jumps, s.untested);
+    archive(s.nodes, s.depth, s.qx, s.qy, s.carried[0], s.carried[1], s.held, s.weight, s.wet, s.records, s.time,
+            s.wave, s.diffusivity, s.volume_left, s.momentum, s.steps, s.erodible_beds, s.exchanged, s.jumps,
+            s.untested);
 }
 
 }  // namespace frana::finite_volume

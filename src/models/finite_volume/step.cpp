@@ -50,7 +50,7 @@ void require_ground(State& s, const Laws& laws, const Region& r) {
 }
 
 bool may_rest(const Laws& laws) {
-    return laws.friction.keeps_rest() && laws.exchange_at_nodes == nullptr;
+    return laws.friction.keeps_rest() && laws.exchange_at_nodes == nullptr && !laws.friction.pore_pressure.active();
 }
 
 // Surveys a tile: what is in it and where something may move. What friction held in the last step, and was at rest
@@ -251,10 +251,12 @@ StepReport step(State& s, const Laws& laws, double limit, Maxima& maxima, Thread
     return report;
 }
 
-void add_to_cell(State& s, const Laws& laws, std::int64_t i, std::int64_t j, double depth, double u, double v) {
+void add_to_cell(State& s, const Laws& laws, std::int64_t i, std::int64_t j, double depth, Point velocity,
+                 const PorePressure::State& pores) {
     require_ground(s, laws, {i, i + 1, j, j + 1});
     const auto k = static_cast<std::size_t>(j * s.nodes.stride() + i);
-    const Point w = BedFrame{s.slope_x[k], s.slope_y[k], s.root[k]}.along_bed(u, v);
+    const Point w = BedFrame{s.slope_x[k], s.slope_y[k], s.root[k]}.along_bed(velocity.x, velocity.y);
+    s.set_pores(k, depth, pores, true);
     s.depth[k] += depth;
     s.qx[k] += depth * w.x;
     s.qy[k] += depth * w.y;

@@ -24,7 +24,8 @@ StepReport step(State& state, const Laws& laws, double limit, Maxima& maxima, Th
 double stable_step(const State& state, const Laws& laws);
 
 /// Adds depth [m] with a velocity in map view [m/s] to a cell, by its padded numbers; `settle` must follow.
-void add_to_cell(State& state, const Laws& laws, std::int64_t i, std::int64_t j, double depth, double u, double v);
+void add_to_cell(State& state, const Laws& laws, std::int64_t i, std::int64_t j, double depth, Point velocity,
+                 const PorePressure::State& pores);
 /// After material was added or the ground was changed: everything is surveyed and computed again.
 void settle(State& state, const Laws& laws);
 /// The bed has changed, or a saved state was read: what follows from the ground is read again under the flow.
