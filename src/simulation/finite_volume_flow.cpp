@@ -39,6 +39,7 @@ finite_volume::Laws laws_of(const Material& material, const MaterialZones& zones
     laws.along_bed = slope_correction(numerics) != SlopeCorrection::none;
     laws.curved = curvature(numerics);
     laws.wall = shared.wall;
+    laws.gap_is_wall = numerics.nodata != NodataPolicy::stop;
     laws.flies = numerics.flight.value_or(true) && !tilt;
     laws.jumps = shared.jumps;
     voellmy_bingham::Stages stages;
@@ -197,7 +198,7 @@ double FiniteVolumeFlow::volume() const {
 }
 
 std::size_t FiniteVolumeFlow::bytes_per_node() const noexcept {
-    constexpr std::size_t k_arrays = 20;  // the bed and those of finite_volume::State
+    constexpr std::size_t k_arrays = 21;  // the bed, Edges and those of finite_volume::State
     return (k_arrays + (state_.carried[0].size() != 0) + (state_.carried[1].size() != 0)) * sizeof(double) +
            Maxima::k_bytes + (laws_.friction.summed ? sizeof(BedState) + sizeof(NodeRecord) : 0) +
            (state_.erodible_beds.size() != 0 ? sizeof(ErodibleBed) : 0);

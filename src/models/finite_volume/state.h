@@ -45,7 +45,8 @@ struct Laws {
     bool along_bed = true;  ///< with slope correction
     bool curved = true;     ///< with the load of the bed's curvature
     bool wall = false;      ///< at the edges of the terrain
-    bool flies = true;      ///< what would leave the ground is told of
+    bool gap_is_wall = false;
+    bool flies = true;  ///< what would leave the ground is told of
     JumpRules jumps;
     voellmy_bingham::BedFriction friction;
     voellmy_bingham::PlaneStressLaw stress;

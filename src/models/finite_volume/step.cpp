@@ -20,7 +20,8 @@ void read_ground(State& s, const Laws& laws, const NodeRange& range) {
     const NodeGrid& nodes = s.nodes;
     nodes.cover({range.i0 - 1, range.i1 + 1, range.j0 - 1, range.j1 + 1});
     range.for_each(nodes.stride(), [&](std::size_t k, std::int64_t i, std::int64_t j) {
-        const bool wall = nodes.is_wall(k) || (laws.wall && nodes.is_ghost(i, j));
+        const bool wall =
+            nodes.is_wall(k) || (laws.gap_is_wall && nodes.is_gap(k)) || (laws.wall && nodes.is_ghost(i, j));
         s.bed[k] = nodes.bed[k] + (wall ? k_wall_height : 0);
         const Point slope = laws.along_bed ? node_slope(nodes, k, i, j) : Point{};
         s.slope_x[k] = slope.x;
