@@ -406,21 +406,29 @@ void Flights::begin(const ParticleRow& particle, const Jump& jump, double time, 
     next_landing_ = std::min(next_landing_, flight.ends);
     flights_.push_back(flight);
 
-    statistics_.volume += get(row, Field::volume);
-    statistics_.highest = std::max(statistics_.highest, jump.height);
+    statistics_.add(get(row, Field::volume), jump);
+}
+
+void JumpStatistics::add(double jumped, const Jump& jump) noexcept {
     const double length = std::hypot(jump.to.x - jump.from.x, jump.to.y - jump.from.y);
-    statistics_.way += get(row, Field::volume) * length;
-    if (length > statistics_.longest) {
-        statistics_.longest = length;
-        statistics_.from = jump.from;
-        statistics_.to = jump.to;
-    }
+    merge({jumped, jump.height, length, jumped * length, jump.from, jump.to});
+}
+
+void JumpStatistics::merge(const JumpStatistics& other) noexcept {
+    volume += other.volume;
+    way += other.way;
+    highest = std::max(highest, other.highest);
+    if (!(other.longest > longest)) return;
+    longest = other.longest;
+    from = other.from;
+    to = other.to;
 }
 
 // The result is cached while the bed equals the terrain. Edges of one that changes would have to be found at every
 // step.
-bool Flights::has_edge(std::int64_t tile, const TileGrid& tiles, const NodeGrid& nodes, double angle) {
-    std::uint8_t& known = edges_[static_cast<std::size_t>(tile)];
+bool Edges::examine(std::int64_t tile, const TileGrid& tiles, const NodeGrid& nodes, const JumpRules& rules) {
+    known_.resize(static_cast<std::size_t>(tiles.tiles_x() * tiles.tiles_y()), k_unknown);
+    std::uint8_t& known = known_[static_cast<std::size_t>(tile)];
     if (known != k_unknown && !nodes.bed_changes) return known == k_edge;
     const NodeRange range(tile, tiles, nodes);
     constexpr std::int64_t k_side = k_tile + 2 * k_reach;
@@ -432,7 +440,7 @@ bool Flights::has_edge(std::int64_t tile, const TileGrid& tiles, const NodeGrid&
     for (std::int64_t j = std::max<std::int64_t>(south, 0); j < std::min(range.j1 + k_reach, nodes.padded_rows()); ++j)
         for (std::int64_t i = std::max<std::int64_t>(west, 0); i < std::min(range.i1 + k_reach, nodes.stride()); ++i)
             edges[static_cast<std::size_t>((j - south) * k_side + i - west)] =
-                nodes.bed_changes ? k_everywhere : edges_at(nodes, i, j, angle - k_half_ramp - k_edge_margin);
+                nodes.bed_changes ? k_everywhere : edges_at(nodes, i, j, rules.angle - k_half_ramp - k_edge_margin);
     known = k_none;
     range.for_each(nodes.stride(), [&](std::size_t n, std::int64_t i, std::int64_t j) {
         std::uint8_t near = 0;
@@ -452,13 +460,12 @@ std::vector<std::size_t> Flights::take_off(ParticleSet& particles, const TileOrd
     const double *x = particles[Field::x], *y = particles[Field::y], *u = particles[Field::u], *v = particles[Field::v];
     double *const volume = particles[Field::volume], *const flown = particles[Field::flown];
     const double *const area = particles[Field::area], *const pore = particles[Field::pore_pressure];
-    edges_.resize(static_cast<std::size_t>(order.grid().tiles_x() * order.grid().tiles_y()), k_unknown);
     std::vector<std::size_t> steep;
     for (std::size_t t = 0; t < tiles.size(); ++t) {
         bool any = false;
         for (std::int64_t b = tiles[t].y0; b <= tiles[t].y1; ++b)
             for (std::int64_t a = tiles[t].x0; a <= tiles[t].x1; ++a)
-                any = has_edge(b * order.grid().tiles_x() + a, order.grid(), nodes, rules.angle) || any;
+                any = edges_.examine(b * order.grid().tiles_x() + a, order.grid(), nodes, rules) || any;
         if (any) steep.push_back(t);
     }
     const NodeScale grid = nodes.scale();
@@ -467,9 +474,7 @@ std::vector<std::size_t> Flights::take_off(ParticleSet& particles, const TileOrd
         const ParticleTile& tile = tiles[steep[t]];
         for (std::size_t p = tile.begin; p < tile.end; ++p) {
             std::optional<Jump> jump;
-            const Near& near = near_[grid.node_of(x[p], y[p])];
-            if ((u[p] * u[p] + v[p] * v[p]) * near.convexity > rules.gravity &&
-                (near.edges & directions_near({u[p], v[p]})) != 0) {
+            if (edges_.may_jump(grid.node_of(x[p], y[p]), {u[p], v[p]}, rules.gravity)) {
                 JumpRules own = rules;
                 if (pore != nullptr) own.bearing = 1 - pore[p];
                 jump = find_jump(nodes, own, {x[p], y[p]}, {u[p], v[p]}, volume[p] / area[p], reach, flown[p]);

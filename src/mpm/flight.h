@@ -103,6 +103,32 @@ std::uint8_t directions_near(Point along) noexcept;
 /// @param column, row padded
 double greatest_convexity(const NodeGrid& nodes, std::int64_t column, std::int64_t row) noexcept;
 
+/// The edges of the ground, tile by tile.
+class Edges {
+  public:
+    Edges() = default;
+    /// @param nodes padded
+    explicit Edges(std::size_t nodes) : near_(nodes) {}
+
+    /// Looks for them round a tile that is not yet known. Returns whether any of its nodes is near one.
+    bool examine(std::int64_t tile, const TileGrid& tiles, const NodeGrid& nodes, const JumpRules& rules);
+    /// Whether what moves in a node's cell of an examined tile, by its velocity along the bed, may jump within a step.
+    [[nodiscard]] bool may_jump(std::size_t node, Point along, double gravity) const noexcept {
+        const Near& near = near_[node];
+        return (along.x * along.x + along.y * along.y) * near.convexity > gravity &&
+               (near.edges & directions_near(along)) != 0;
+    }
+
+  private:
+    static constexpr std::uint8_t k_unknown = 0, k_none = 1, k_edge = 2;
+    std::vector<std::uint8_t> known_;  // by tile: whether any of its nodes is near an edge
+    struct Near {
+        float convexity;     // greatest_convexity near an edge, otherwise 0
+        std::uint8_t edges;  // edges_at of the nodes within reach
+    };
+    ZeroArray<Near> near_;  // padded; of the tiles known
+};
+
 /// Jumps so far.
 struct JumpStatistics {
     double volume = 0;   ///< sum over all jumps [m3]
@@ -110,6 +136,9 @@ struct JumpStatistics {
     double longest = 0;  ///< in map view [m]
     double way = 0;      ///< sum of volume times length in map view [m4]
     Point from, to;      ///< of the longest; local metres
+
+    void add(double jumped, const Jump& jump) noexcept;
+    void merge(const JumpStatistics& other) noexcept;
 
     template <class Archive>
     void serialise(Archive& archive) {
@@ -124,7 +153,7 @@ class Flights {
   public:
     Flights() = default;
     /// @param nodes padded
-    explicit Flights(std::size_t nodes) : heights_(nodes), low_(nodes), near_(nodes) {}
+    explicit Flights(std::size_t nodes) : heights_(nodes), low_(nodes), edges_(nodes) {}
 
     [[nodiscard]] bool empty() const noexcept { return flights_.empty(); }
     [[nodiscard]] std::size_t size() const noexcept { return flights_.size(); }
@@ -162,7 +191,7 @@ class Flights {
 
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [flights, heights, low, next_landing, statistics, edges, near] = *this;
+        [[maybe_unused]] auto& [flights, heights, low, next_landing, statistics, edges] = *this;
         archive(flights, heights, low, next_landing, statistics);  // edges are those of the bed
     }
 
@@ -183,20 +212,12 @@ class Flights {
 
     void begin(const ParticleRow& particle, const Jump& jump, double time, double cell_area);
 
-    static constexpr std::uint8_t k_unknown = 0, k_none = 1, k_edge = 2;
-    [[nodiscard]] bool has_edge(std::int64_t tile, const TileGrid& tiles, const NodeGrid& nodes, double angle);
-
     std::vector<Flight> flights_;
     ZeroArray<float> heights_;
     Maxima low_;
     double next_landing_ = std::numeric_limits<double>::infinity();
     JumpStatistics statistics_;
-    std::vector<std::uint8_t> edges_;  // by tile: whether any of its nodes is near an edge
-    struct Near {
-        float convexity;     // greatest_convexity near an edge, otherwise 0
-        std::uint8_t edges;  // edges_at of the nodes within reach
-    };
-    ZeroArray<Near> near_;  // padded; of the tiles known
+    Edges edges_;
 };
 
 }  // namespace frana

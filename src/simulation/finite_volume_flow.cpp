@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "simulation/dispatch.h"
+#include "simulation/run_warnings.h"
 #include "simulation/scene.h"
 
 namespace frana {
@@ -38,6 +39,9 @@ finite_volume::Laws laws_of(const Material& material, const MaterialZones& zones
     laws.along_bed = slope_correction(numerics) != SlopeCorrection::none;
     laws.curved = curvature(numerics);
     laws.wall = shared.wall;
+    laws.gap_is_wall = numerics.nodata != NodataPolicy::stop;
+    laws.flies = numerics.flight.value_or(true) && !tilt;
+    laws.jumps = shared.jumps;
     voellmy_bingham::Stages stages;
     choose_exchange(entrainment, numerics, stages);
     laws.exchange_at_nodes = stages.exchange_at_nodes;
@@ -62,6 +66,9 @@ FiniteVolumeFlow::FiniteVolumeFlow(const Ground& ground, const std::optional<Ras
     if (!std::holds_alternative<NoStress>(laws_.stress.law))
         for (ZeroArray<double>* force : {&state_.force_x, &state_.force_y})
             *force = ZeroArray<double>(state_.nodes.size());
+    const PorePressure& pores = laws_.friction.pore_pressure;
+    if (pores.active()) state_.carried[0] = ZeroArray<double>(state_.nodes.size());
+    if (pores.active() && pores.dilates()) state_.carried[1] = ZeroArray<double>(state_.nodes.size());
     if (entrainment.active()) {
         set_erodible_beds(entrainment, zones, state_.nodes, state_.erodible_beds);
         state_.nodes.bed_changes = true;
@@ -80,9 +87,11 @@ void FiniteVolumeFlow::add_particles(const ParticleSet& particles) {
             state_.volume_left += volume[p];
             continue;
         }
+        PorePressure::State pores = laws_.friction.pore_pressure.initial;
+        if (particles.mask().has(Field::pore_pressure)) pores.ratio = particles[Field::pore_pressure][p];
         finite_volume::add_to_cell(state_, laws_, whole_below(x[p] * scale.inverse_dx) + scale.origin_x,
                                    whole_below(y[p] * scale.inverse_dx) + scale.origin_y,
-                                   volume[p] / state_.cell_area(), u[p], v[p]);
+                                   volume[p] / state_.cell_area(), {u[p], v[p]}, pores);
     }
     finite_volume::settle(state_, laws_);
 }
@@ -93,12 +102,35 @@ void FiniteVolumeFlow::lower_bed(const Raster& depth) {
     finite_volume::settle(state_, laws_);
 }
 
+// Adds half of the energies of the present state: those of a step are in its middle, as those of the particles.
+void FiniteVolumeFlow::add_half_of_energies(StepStatistics& f) const {
+    finite_volume::TileRecord sum{};
+    for (const std::int64_t tile : state_.wet) {
+        const finite_volume::TileRecord& r = state_.records[static_cast<std::size_t>(tile)];
+        sum.depth += r.depth;
+        sum.kinetic += r.kinetic;
+        sum.energy += r.energy;
+        sum.levelled += r.levelled;
+        sum.sloping += r.sloping;
+    }
+    const double half = 0.5 * state_.cell_area();
+    f.energy_volume += half * sum.depth;
+    f.energy_moving += half * sum.kinetic;
+    f.energy += half * sum.energy;
+    f.energy_levelled += half * sum.levelled;
+    f.energy_sloping += half * sum.sloping;
+    f.kinetic = 2 * half * sum.kinetic;
+}
+
 StepStatistics FiniteVolumeFlow::step(double dt_limit) {
-    const finite_volume::StepReport report = finite_volume::step(state_, laws_, dt_limit, maxima_, pool_);
     StepStatistics f;
+    f.energy = 0;
+    add_half_of_energies(f);
+    const finite_volume::StepReport report = finite_volume::step(state_, laws_, dt_limit, maxima_, pool_);
+    add_half_of_energies(f);
+    f.energy_dissipated = report.dissipated;
     f.dt = report.dt;
     f.max_speed = f.fastest = report.max_speed;
-    f.kinetic = report.kinetic;
     f.moving = report.moving;
     f.unsupported = report.unsupported;
     f.non_finite = report.not_finite;
@@ -166,9 +198,9 @@ double FiniteVolumeFlow::volume() const {
 }
 
 std::size_t FiniteVolumeFlow::bytes_per_node() const noexcept {
-    constexpr std::size_t k_arrays = 20;  // the bed and those of finite_volume::State
-    return k_arrays * sizeof(double) + Maxima::k_bytes +
-           (laws_.friction.summed ? sizeof(BedState) + sizeof(NodeRecord) : 0) +
+    constexpr std::size_t k_arrays = 21;  // the bed, Edges and those of finite_volume::State
+    return (k_arrays + (state_.carried[0].size() != 0) + (state_.carried[1].size() != 0)) * sizeof(double) +
+           Maxima::k_bytes + (laws_.friction.summed ? sizeof(BedState) + sizeof(NodeRecord) : 0) +
            (state_.erodible_beds.size() != 0 ? sizeof(ErodibleBed) : 0);
 }
 
@@ -200,6 +232,11 @@ Model::Snapshot FiniteVolumeFlow::snapshot() {
 
 void FiniteVolumeFlow::add_to(RunResult& result) const {
     if (state_.erodible_beds.size() != 0) add_exchange(state_.erodible_beds, state_.exchanged, result);
+    const JumpStatistics& jumps = state_.jumps;
+    if (jumps.volume > 0)
+        warn_of_jumps({jumps.volume, jumps.highest, jumps.longest, jumps.way / jumps.volume,
+                       grid_.map_from_local(jumps.from), grid_.map_from_local(jumps.to)},
+                      result);
 }
 
 }  // namespace frana

@@ -76,6 +76,7 @@ class FiniteVolumeFlow final : public Model {
 
   private:
     [[nodiscard]] double farthest_front() const;
+    void add_half_of_energies(StepStatistics& statistics) const;
 
     GridSpec grid_;
     ThreadPool pool_;

@@ -322,22 +322,6 @@ void Flow::record_present() {
     });
 }
 
-Raster Flow::bed_depth_raster(double ErodibleBed::*depth) const {
-    if (state_.erodible_beds.size() == 0) return Raster(grid_, k_no_data);
-    return raster_of([&](std::size_t node) {
-        const double value = state_.erodible_beds[node].*depth;
-        return value > 0 ? value : k_no_data;
-    });
-}
-
-Raster Flow::eroded_depth() const {
-    return bed_depth_raster(&ErodibleBed::eroded);
-}
-
-Raster Flow::deposited_depth() const {
-    return bed_depth_raster(&ErodibleBed::deposited);
-}
-
 Raster Flow::jump_height() const {
     return to_raster(state_.flights.heights());
 }

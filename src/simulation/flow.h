@@ -88,9 +88,6 @@ class Flow final : public Model {
     }
     /// Amounts exchanged between bed and flow so far.
     [[nodiscard]] const ExchangeReport& exchanged() const noexcept { return state_.exchanged; }
-    /// Depth eroded from and deposited on each cell so far [m]; NaN where none. Only for scenes with exchange.
-    [[nodiscard]] Raster eroded_depth() const;
-    [[nodiscard]] Raster deposited_depth() const;
     /// Greatest height above the ground at which each cell was flown over [m]; NaN where it was not.
     [[nodiscard]] Raster jump_height() const;
     [[nodiscard]] std::vector<NamedRaster> low_flights() const;
@@ -140,7 +137,6 @@ class Flow final : public Model {
 
   private:
     void gather();
-    [[nodiscard]] Raster bed_depth_raster(double ErodibleBed::*depth) const;
     // Calls visit(row, column, node) for the cells that particles can touch, tile by tile.
     template <class Visit>
     void for_each_reached_cell(const Visit& visit) const;

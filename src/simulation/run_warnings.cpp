@@ -23,6 +23,7 @@ namespace {
 using Warnings = std::vector<RunWarning>;
 
 constexpr double k_shown_fraction = 0.05;  // relative difference of a raster's volume from the flow's without a warning
+constexpr double k_jumping = 0.05;         // of all volume, over all jumps
 // Greatest rise of energy without a warning, of the work of gravity: a mass slides as much farther.
 constexpr double k_energy_error = 0.05;
 constexpr double k_pile = 0.05;          // of the deepest deposit, that a pile may stand too high without a warning
@@ -387,6 +388,17 @@ std::vector<RunWarning> run_warnings(const RunResult& result, const Scene& scene
              true});
     }
     return warnings;
+}
+
+void warn_of_jumps(const RunResult::Jumps& jumps, RunResult& result) {
+    if (jumps.volume < k_jumping * result.volume_entered) return;
+    result.warnings.push_back(
+        {worded(
+             "{1} m3 ({2} % of all volume that came in) would leave the ground, from E {3}, N {4} for {5} m; finite "
+             "volumes keep it there: set numerics.scheme = default",
+             {numeral(grouped(jumps.volume)), percent(jumps.volume / result.volume_entered),
+              numeral(grouped(jumps.from.x)), numeral(grouped(jumps.from.y)), numeral(number_text(jumps.longest, 3))}),
+         true, jumps.from});
 }
 
 std::vector<Sentence> sentences_of(const std::vector<RunWarning>& warnings, WarningsOn on) {

@@ -47,6 +47,8 @@ Sentence released_sentence(const ReleasedArea& area, std::size_t index);
 
 /// Returns everything that a run itself tells: how it ended, what its maps do not show.
 std::vector<RunWarning> run_warnings(const RunResult& result, const Scene& scene);
+/// Warns of what a scheme without flight kept on the ground, if it is a substantial part of the flow.
+void warn_of_jumps(const RunResult::Jumps& jumps, RunResult& result);
 enum class WarningsOn { pages, maps };
 /// Returns their sentences; for maps only of those that limit their use.
 std::vector<Sentence> sentences_of(const std::vector<RunWarning>& warnings, WarningsOn on = WarningsOn::pages);

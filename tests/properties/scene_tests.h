@@ -17,7 +17,8 @@ inline Made made_of(int scene) {
     return scene % 5 == 4 ? Made::of_solids : scene % 5 == 3 ? Made::of_fluid : Made::of_mass;
 }
 
-/// Calls look(scene, random, number) for a test's part of the random scenes, each with a separate stream of numbers.
+/// Calls look(scene, random, number) for a test's part of the random scenes, each with a separate stream of numbers;
+/// those with a mass then by finite volumes, too.
 template <class Look>
 void for_scenes(int of_a_hundred, std::uint64_t stream, const Look& look) {
     const int count = scene_count(of_a_hundred);
@@ -25,8 +26,12 @@ void for_scenes(int of_a_hundred, std::uint64_t stream, const Look& look) {
     for (int i = 0; i < count; ++i) {
         SCOPED_TRACE(scene_label(i));
         RandomNumbers random(scene_seed(), stream * 1000000 + static_cast<std::uint64_t>(i));
-        Scene scene = random_scene(random, made_of(i));
+        Scene scene = random_scene(random, made_of(i)), by_volumes = scene;
         look(scene, random, i);
+        if (made_of(i) != Made::of_mass) continue;
+        SCOPED_TRACE("by finite volumes");
+        by_volumes.numerics.scheme = Scheme::finite_volume;
+        look(by_volumes, random, i);
     }
 }
 

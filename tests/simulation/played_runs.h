@@ -93,9 +93,6 @@ inline Scene settling() {
 
 inline Scene by_finite_volumes(Scene scene) {
     scene.numerics.scheme = Scheme::finite_volume;
-    scene.material.pore_pressure_ratio = scene.material.compressibility = std::nullopt;
-    scene.material.hydraulic_diffusivity = std::nullopt;
-    scene.material.pore_fluid_density = 0;
     return scene;
 }
 inline Scene finite_volumes() {

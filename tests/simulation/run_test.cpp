@@ -60,6 +60,26 @@ TEST(Run, GivesMaximaArrivalSeriesAndBudget) {
     EXPECT_LT(seen, 4);
 }
 
+// A cliff of 40 m in the slope; with material points the flow jumps over it, and nothing has to be told.
+TEST(Run, FiniteVolumesNameWhatACliffWouldThrow) {
+    const auto told = [](double cliff, Scheme scheme) {
+        Scene scene = slide();
+        scene.numerics.scheme = scheme;
+        scene.terrain.values.change_each_stored([&](std::size_t cell, double& z) { z += cell % 120 < 40 ? cliff : 0; });
+        const RunResult result = run(scene, {});
+        for (const RunWarning& warning : result.warnings)
+            if (warning.words.text().find("would leave the ground") != std::string::npos) {
+                EXPECT_TRUE(warning.limits_use);
+                EXPECT_NEAR(warning.place.value_or(Point{}).x, 600000 + 80, 4);
+                return true;
+            }
+        return false;
+    };
+    EXPECT_TRUE(told(40, Scheme::finite_volume));
+    EXPECT_FALSE(told(40, Scheme::standard));
+    EXPECT_FALSE(told(0, Scheme::finite_volume));
+}
+
 // On a plane of any slope a pile may stand as high as friction carries between cells of 2 m, and no higher.
 TEST(Run, APileThatFrictionDoesNotCarryIsNamed) {
     Scene scene = slide();  // friction 0.3

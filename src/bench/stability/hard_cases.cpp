@@ -37,10 +37,17 @@ Setup on_plane(double friction_deg) {
     return setup;
 }
 
-// Returns the greatest displacement of a particle from its start; the order of particles at rest does not change.
-StabilityStatistic displacement(const Setup& setup, Flow& flow) {
+// Returns the greatest displacement of a particle from its start; the order of particles at rest does not change. By
+// finite volumes that of depth.
+StabilityStatistic displacement(const Setup& setup, TimedFlow& run) {
     TimedFlow fresh(setup);
-    const ParticleSet &now = flow.particles(), &start = fresh.flow().particles();
+    if (setup.numerics.scheme == Scheme::finite_volume) {
+        DepthAgreement agreement;
+        agreement.compare(fresh);
+        agreement.compare(run);
+        return agreement.statistic();
+    }
+    const ParticleSet &now = run.particles(), &start = fresh.particles();
     double farthest = now.size() == start.size() ? 0 : std::numeric_limits<double>::infinity();
     for (std::size_t p = 0; p < std::min(now.size(), start.size()); ++p)
         farthest = std::max(farthest,
@@ -58,12 +65,12 @@ Setup slab() {
     return setup;
 }
 
-StabilityStatistic slab_speed(const Setup&, Flow& flow) {
+StabilityStatistic slab_speed(const Setup&, TimedFlow& run) {
     double sum = 0, n = 0;
-    const ParticleSet& particles = flow.particles();
+    const ParticleSet& particles = run.particles();
     for (std::size_t p = 0; p < particles.size(); ++p) {
         if (std::abs(particles[Field::x][p] - 60) > 10) continue;
-        sum += flow.map_velocity(p).x;
+        sum += run.velocity(p).x;
         ++n;
     }
     const double cosine = std::cos(k_slab_slope * k_degree);
@@ -73,10 +80,11 @@ StabilityStatistic slab_speed(const Setup&, Flow& flow) {
 }
 
 // Coulomb friction alone is independent of the density: the flow must be the same for ten of them, bit for bit.
-StabilityStatistic ten_densities(int threads, Soundness& sound) {
+StabilityStatistic ten_densities(Scheme scheme, int threads, Soundness& sound) {
     DepthAgreement agreement;
     for (const double density : {1.0, 100.0, 500.0, 1000.0, 1200.0, 1500.0, 2000.0, 2700.0, 5000.0, 20000.0}) {
         Setup setup = usual_slide();
+        setup.numerics.scheme = scheme;
         setup.material.density = density;
         TimedFlow run(setup, threads);
         merge(sound, watch(run, setup, 8));
@@ -118,21 +126,33 @@ std::vector<HardCase> hard_material_cases() {
 namespace {
 
 HardCase particles_per_cell(const char* name, const char* what, int per_side, double jitter) {
-    return {name, what, 15, [=] {
+    return {name,
+            what,
+            15,
+            [=] {
                 Setup setup = usual_slide();
                 setup.numerics.particles_per_cell = per_side * per_side;
                 setup.seeds =
                     fill_lattice(setup.bed.grid, per_side, jitter, [](Point p) { return Seed{usual_cap(p)}; });
                 return setup;
-            }};
+            },
+            {},
+            {},
+            true};
 }
 
 HardCase with_transfer(const char* name, const char* what, Transfer transfer) {
-    return {name, what, 15, [=] {
+    return {name,
+            what,
+            15,
+            [=] {
                 Setup setup = usual_slide();
                 setup.numerics.transfer = transfer;
                 return setup;
-            }};
+            },
+            {},
+            {},
+            true};
 }
 
 HardCase with_cfl(const char* name, const char* what, double cfl) {
@@ -156,8 +176,9 @@ HardCase scaled(const char* name, const char* what, double scale) {
             }};
 }
 
-Scene scene_at(double west, double north) {
+Scene scene_at(Scheme scheme, double west, double north) {
     Scene scene;
+    scene.numerics.scheme = scheme;
     scene.grid = {west, north, 2, 80, 40, ""};
     scene.terrain = Raster(scene.grid);
     for (std::int64_t row = 0; row < scene.grid.rows; ++row)
@@ -175,10 +196,10 @@ Scene scene_at(double west, double north) {
 
 // The engine works in metres from the grid's corner, and all coordinates here are whole numbers, so a scene
 // far from the origin must give the same bits.
-StabilityStatistic far_coordinates(int threads, Soundness& sound) {
+StabilityStatistic far_coordinates(Scheme scheme, int threads, Soundness& sound) {
     RunOptions options;
     options.threads = threads;
-    const RunResult near = run(scene_at(0, 80), options), far = run(scene_at(600000, 5000000), options);
+    const RunResult near = run(scene_at(scheme, 0, 80), options), far = run(scene_at(scheme, 600000, 5000000), options);
     double greatest = 0;
     for (std::size_t c = 0; c < near.raster("max_depth").values.size(); ++c) {
         const double a = near.raster("max_depth").values[c], b = far.raster("max_depth").values[c];
@@ -199,10 +220,11 @@ StabilityStatistic far_coordinates(int threads, Soundness& sound) {
 }
 
 // A second thread must not change a bit.
-StabilityStatistic threads_alike(int threads, Soundness& sound) {
+StabilityStatistic threads_alike(Scheme scheme, int threads, Soundness& sound) {
     DepthAgreement agreement;
     for (const int n : {1, 2, 5, std::max(1, threads)}) {
-        const Setup setup = usual_slide();
+        Setup setup = usual_slide();
+        setup.numerics.scheme = scheme;
         TimedFlow run(setup, n);
         merge(sound, watch(run, setup, 8));
         agreement.compare(run);
@@ -348,8 +370,8 @@ Setup with_gaps(const std::function<bool(Point)>& gap) {
 // Returns how far the farthest particle is inside a gap, in cells: the distance to the nearest cell with ground. The
 // wall is on the gap's outermost nodes, half a cell inside its edge, and velocities between a wall's node and a free
 // one are not zero, so up to one cell is expected.
-StabilityStatistic into_gaps(const Setup& setup, Flow& flow) {
-    const ParticleSet& particles = flow.particles();
+StabilityStatistic into_gaps(const Setup& setup, TimedFlow& run) {
+    const ParticleSet& particles = run.particles();
     const GridSpec& grid = setup.bed.grid;
     double farthest = 0;
     for (std::size_t p = 0; p < particles.size(); ++p) {
@@ -369,10 +391,10 @@ StabilityStatistic into_gaps(const Setup& setup, Flow& flow) {
     return {"farthest inside a gap [cells]", farthest, 1};
 }
 
-StabilityStatistic remaining_volume(const Setup& setup, Flow& flow) {
+StabilityStatistic remaining_volume(const Setup& setup, TimedFlow& run) {
     double start = 0;
     for (std::size_t p = 0; p < setup.seeds.size(); ++p) start += setup.seeds[Field::volume][p];
-    return {"fraction that has not left", flow.volume() / start, 0.01};
+    return {"fraction that has not left", run.model().volume() / start, 0.01};
 }
 
 }  // namespace

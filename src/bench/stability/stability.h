@@ -35,9 +35,10 @@ struct HardCase {
     std::string what;
     double end = 0;  ///< [s]
     std::function<Setup()> make;
-    std::function<StabilityStatistic(const Setup&, Flow&)> statistic = {};
+    std::function<StabilityStatistic(const Setup&, TimedFlow&)> statistic = {};
     /// For cases that compare several runs: runs and compares them.
-    std::function<StabilityStatistic(int threads, Soundness&)> compare = {};
+    std::function<StabilityStatistic(Scheme, int threads, Soundness&)> compare = {};
+    bool of_particles = false;  ///< has no meaning by finite volumes
 };
 
 /// Runs one flow to its end and checks it.
@@ -76,6 +77,7 @@ double usual_slope(Point place);
 /// sqrt(2 g drop) + 2 sqrt(g depth), and its own value is within its limit.
 struct StabilityRow {
     std::string case_name, what;
+    Scheme scheme = Scheme::standard;
     bool passed = false;
     StabilityStatistic statistic;
     Soundness sound;
@@ -89,7 +91,7 @@ struct StabilityOptions {
 
 std::vector<HardCase> hard_cases();
 
-/// Runs the hard cases with the default scheme. Throws Error(input) for an unknown name.
+/// Runs the hard cases with material points and with finite volumes. Throws Error(input) for an unknown name.
 std::vector<StabilityRow> run_stability(const StabilityOptions& options);
 
 std::string stability_csv(const std::vector<StabilityRow>& rows);

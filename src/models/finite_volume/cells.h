@@ -57,9 +57,9 @@ struct FaceRow {
 
 /// Greatest values and sums over the cells of a strip, in four lanes that are joined in order.
 struct StripTotals {
-    double max_speed[4] = {}, wave[4] = {};                    ///< [m/s]
-    double kinetic[4] = {}, moving[4] = {}, momentum[4] = {};  ///< per cell area [m3/s2], [m], [m2/s]
-    double unsupported[4] = {}, not_finite[4] = {};            ///< cells
+    double max_speed[4] = {}, wave[4] = {};                       ///< [m/s]
+    double dissipated[4] = {}, moving[4] = {}, momentum[4] = {};  ///< per cell area [m3/s2], [m], [m2/s]
+    double unsupported[4] = {}, not_finite[4] = {};               ///< cells
 };
 
 /// The loops over rows, in one set of instructions. All give the same bits.

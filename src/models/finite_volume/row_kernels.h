@@ -79,6 +79,7 @@ FRANA_INLINE void prepare_cells(const Cells& c, std::size_t k, std::size_t n, co
                                 const Friction& friction) {
     using L = Lanes<Number>;
     using std::max;
+    using std::min;
     using std::sqrt;
     const auto at = [&](const double* from, std::int64_t offset = 0)
                         FRANA_INLINE_LAMBDA { return L::load(from + static_cast<std::int64_t>(k) + offset, n); };
@@ -114,13 +115,23 @@ FRANA_INLINE void prepare_cells(const Cells& c, std::size_t k, std::size_t n, co
     // The fall of the surface is in the predictor of the faces, that of a tilted frame is not.
     put(ax * lost + select(wet, Number(half * v.gravity_x), zero), c.slowed_x);
     put(ay * lost + select(wet, Number(half * v.gravity_y), zero), c.slowed_y);
-    // Per time, so that the judgement of what rests is the same, to the last digit, in steps of any length.
-    put(h * (u.x / v.dt + fall_x), c.pull_x);
-    put(h * (u.y / v.dt + fall_y), c.pull_y);
+    // Per time, so that the judgement of what rests is the same, to the last digit, in steps of any length. The surface
+    // of a cell between dry ones has no slope: what drives it is the difference of both sides.
+    const auto drive = [&](Number fall, double tilt, const SurfaceSteps<Number>& steps,
+                           std::int64_t next) FRANA_INLINE_LAMBDA {
+        const auto alone = L::none(at(c.depth, -next) > v.dry) & L::none(at(c.depth, next) > v.dry);
+        const Number mean = tilt - weight * (0.5 * inverse_dx * (steps.before + steps.after));
+        return select(alone, mean, fall);
+    };
+    put(h * (u.x / v.dt + drive(fall_x, v.gravity_x, x, 1)), c.pull_x);
+    put(h * (u.y / v.dt + drive(fall_y, v.gravity_y, y, c.stride)), c.pull_y);
     put(select(wet, stop.bound, zero), c.bound);
     constexpr double k_slow = 4;
     const Number slow = k_slow * stop.speed;
-    put(select(wet & L::none(u.x * u.x + u.y * u.y > slow * slow), Number(1.0), zero), c.held);
+    // A free side pushes by g' h^2 / 2: what friction on two cells cannot stop collapses, however even its sides are.
+    const Number side = min(h, max(max(x.before, -x.after), max(y.before, -y.after)));
+    const auto stands = L::none((side > 0) & (weight * side * side > 4 * v.cell_size * stop.bound));
+    put(select(wet & stands & L::none(u.x * u.x + u.y * u.y > slow * slow), Number(1.0), zero), c.held);
     put(select(wet, start, Number(-1.0)), c.start);
     put(select(wet, 0.5 * start * start + v.gravity * (z + 2 * h), Number(-1e30)), c.head);
 }
@@ -237,9 +248,14 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
     const Quad inverse = select(open, one, zero) / max(fast - slow, Quad(1e-6));
     const Quad mb = depth_below * below.speed, mc = depth_above * above.speed, both = slow * fast;
     const Quad flux = (fast * mb - slow * mc + both * (depth_above - depth_below)) * inverse;
-    // No cell gives more than it has.
-    constexpr double k_most = 0.98;
-    const Quad given = min(one, k_most * v.cell_size / v.dt * select(flux > 0, hb, hc) / max(abs(flux), Quad(1e-300)));
+    // No cell gives more than it has: through both faces that it may flow through, by its speed towards this one over
+    // that of its waves, together.
+    const auto gives = flux > 0;
+    const Quad has = select(gives, hb, hc), ahead = select(gives, at(b.speed), -at(c.speed)),
+               square = ahead * abs(ahead), waves = v.wave_factor * select(gives, at(b.weight), at(c.weight)) * has;
+    const Quad slower = select(square > -waves, Quad(0.49), select(square > -4 * waves, Quad(0.15), Quad(0.01)));
+    const Quad most = select(square > waves, select(square > 4 * waves, Quad(0.98), Quad(0.84)), slower);
+    const Quad given = min(one, most * v.cell_size / v.dt * has / max(abs(flux), Quad(1e-300)));
     const Quad mass = given * flux;
     const Quad push = 0.5 * inverse * (depth_above * depth_above - depth_below * depth_below);
     const auto put = [&](Quad value, double* where) FRANA_INLINE_LAMBDA { L::store(value, where + q, n); };
@@ -315,8 +331,8 @@ FRANA_INLINE void finish_cells(const Cells& c, std::size_t k, std::size_t n, con
     const Number driven = sqrt(tx * tx + ty * ty), before = at(c.start);
     const auto held = L::none(wet) | (at(c.held) > 0.5);
     const NodeUpdate step{.dt = v.dt, .gravity = v.gravity};
-    const Number slowed = friction.template speed_after<Number>(k, n, select(before < 0, driven, before), driven, held,
-                                                                step, root, supported, some);
+    const Number began = select(before < 0, driven, before);
+    const Number slowed = friction.template speed_after<Number>(k, n, began, driven, held, step, root, supported, some);
     // No cell is faster than the energy of those around it before the step allows.
     const Number energy = max(max(highest(-c.stride), highest(0)), highest(c.stride)) - v.gravity * at(c.bed);
     const Number speed =
@@ -345,7 +361,8 @@ FRANA_INLINE void finish_cells(const Cells& c, std::size_t k, std::size_t n, con
     to_greatest(select(deep, speed, zero), totals.max_speed);
     to_greatest(select(wet, max(abs(moved.x), abs(moved.y)) + sqrt(v.wave_factor * at(c.weight) * h), zero),
                 totals.wave);
-    to_sum(0.5 * h * speed * speed, totals.kinetic);
+    // Friction's work over the way of the step, by the mean speed: what does not move does none.
+    to_sum(0.5 * h * (driven - slowed) * (began + slowed), totals.dissipated);
     to_sum(h * speed, totals.momentum);
     to_sum(select(speed > v.moving_speed, h, zero), totals.moving);
     to_sum(select(wet & L::none(curved > -v.gravity), one, zero), totals.unsupported);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "models/finite_volume/jumps.h"
 #include "models/finite_volume/sweeps.h"
 #include "mpm/curvature.h"
 
@@ -19,7 +20,8 @@ void read_ground(State& s, const Laws& laws, const NodeRange& range) {
     const NodeGrid& nodes = s.nodes;
     nodes.cover({range.i0 - 1, range.i1 + 1, range.j0 - 1, range.j1 + 1});
     range.for_each(nodes.stride(), [&](std::size_t k, std::int64_t i, std::int64_t j) {
-        const bool wall = nodes.is_wall(k) || (laws.wall && nodes.is_ghost(i, j));
+        const bool wall =
+            nodes.is_wall(k) || (laws.gap_is_wall && nodes.is_gap(k)) || (laws.wall && nodes.is_ghost(i, j));
         s.bed[k] = nodes.bed[k] + (wall ? k_wall_height : 0);
         const Point slope = laws.along_bed ? node_slope(nodes, k, i, j) : Point{};
         s.slope_x[k] = slope.x;
@@ -49,7 +51,7 @@ void require_ground(State& s, const Laws& laws, const Region& r) {
 }
 
 bool may_rest(const Laws& laws) {
-    return laws.friction.keeps_rest() && laws.exchange_at_nodes == nullptr;
+    return laws.friction.keeps_rest() && laws.exchange_at_nodes == nullptr && !laws.friction.pore_pressure.active();
 }
 
 // Surveys a tile: what is in it and where something may move. What friction held in the last step, and was at rest
@@ -58,7 +60,7 @@ TileRecord survey(const State& s, const Laws& laws, std::int64_t tile) {
     const NodeRange range(tile, s.tiles, s.nodes);
     const StepValues& v = laws.values;
     const bool rests = may_rest(laws);
-    TileRecord r{1 << 30, 0, 1 << 30, 0, 0, 0, 0, 0, 0};
+    TileRecord r{1 << 30, 0, 1 << 30, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     range.for_each(s.nodes.stride(), [&](std::size_t k, std::int64_t i, std::int64_t j) {
         const double h = s.depth[k];
         if (h == 0) return;
@@ -70,6 +72,13 @@ TileRecord survey(const State& s, const Laws& laws, std::int64_t tile) {
         } else {
             ++r.covered;
         }
+        // The pressure of the flow is g' h^2 / 2; before the first step as that of a flow along the bed.
+        const double along = v.gravity / (s.root[k] * s.root[k]), weight = s.weight[k] > 0 ? s.weight[k] : along,
+                     half = 0.5 * h * h, kinetic = 0.5 * (s.qx[k] * s.qx[k] + s.qy[k] * s.qy[k]) / h;
+        r.kinetic += kinetic;
+        r.energy += kinetic + v.gravity * h * s.nodes.bed[k] + half * weight;
+        r.levelled += half * (weight - along);
+        r.sloping += half * (v.gravity - weight);
         if (h <= v.dry || (rests && s.held[k] > 0.5 && s.start[k] == 0)) return;
         r.i0 = std::min(r.i0, static_cast<std::int32_t>(i));
         r.i1 = std::max(r.i1, static_cast<std::int32_t>(i + 1));
@@ -144,7 +153,7 @@ StepReport account(State& s, const Laws& laws, ThreadPool& pool) {
         report.max_speed = std::max(report.max_speed, greatest(t.max_speed));
         s.wave = std::max(s.wave, greatest(t.wave));
         s.momentum += area * sum(t.momentum);
-        report.kinetic += area * sum(t.kinetic);
+        report.dissipated += area * sum(t.dissipated);
         report.moving += area * sum(t.moving);
         report.unsupported += static_cast<std::int64_t>(sum(t.unsupported));
         report.not_finite += static_cast<std::int64_t>(sum(t.not_finite));
@@ -179,7 +188,8 @@ State::State(NodeGrid grid)
             k_ghost,
             nodes.cell_size(),
             nodes.scale().origin_x - k_ghost,
-            nodes.scale().origin_y - k_ghost} {
+            nodes.scale().origin_y - k_ghost},
+      edges(nodes.size()) {
     for (ZeroArray<double>* array :
          {&depth, &qx, &qy, &bed, &slope_x, &slope_y, &root, &curvature_xx, &curvature_xy, &curvature_yy, &weight,
           &slowed_x, &slowed_y, &pull_x, &pull_y, &bound, &held, &head, &start})
@@ -238,13 +248,16 @@ StepReport step(State& s, const Laws& laws, double limit, Maxima& maxima, Thread
     report.dt = values.dt;
     s.time = values.time;
     ++s.steps;
+    find_jumps(s, laws, values.dt, pool);
     return report;
 }
 
-void add_to_cell(State& s, const Laws& laws, std::int64_t i, std::int64_t j, double depth, double u, double v) {
+void add_to_cell(State& s, const Laws& laws, std::int64_t i, std::int64_t j, double depth, Point velocity,
+                 const PorePressure::State& pores) {
     require_ground(s, laws, {i, i + 1, j, j + 1});
     const auto k = static_cast<std::size_t>(j * s.nodes.stride() + i);
-    const Point w = BedFrame{s.slope_x[k], s.slope_y[k], s.root[k]}.along_bed(u, v);
+    const Point w = BedFrame{s.slope_x[k], s.slope_y[k], s.root[k]}.along_bed(velocity.x, velocity.y);
+    s.set_pores(k, depth, pores, true);
     s.depth[k] += depth;
     s.qx[k] += depth * w.x;
     s.qy[k] += depth * w.y;

@@ -9,7 +9,7 @@ namespace frana::finite_volume {
 struct StepReport {
     double dt = 0;                                              ///< [s]
     double max_speed = 0;                                       ///< along the bed [m/s]
-    double kinetic = 0;                                         ///< energy over density [m5/s2]
+    double dissipated = 0;                                      ///< energy by friction, over density [m5/s2]
     double moving = 0;                                          ///< volume faster than StepValues::moving_speed [m3]
     std::int64_t unsupported = 0, not_finite = 0, no_data = 0;  ///< cells
 };
@@ -24,7 +24,8 @@ StepReport step(State& state, const Laws& laws, double limit, Maxima& maxima, Th
 double stable_step(const State& state, const Laws& laws);
 
 /// Adds depth [m] with a velocity in map view [m/s] to a cell, by its padded numbers; `settle` must follow.
-void add_to_cell(State& state, const Laws& laws, std::int64_t i, std::int64_t j, double depth, double u, double v);
+void add_to_cell(State& state, const Laws& laws, std::int64_t i, std::int64_t j, double depth, Point velocity,
+                 const PorePressure::State& pores);
 /// After material was added or the ground was changed: everything is surveyed and computed again.
 void settle(State& state, const Laws& laws);
 /// The bed has changed, or a saved state was read: what follows from the ground is read again under the flow.

@@ -21,7 +21,7 @@ void read_ground(State& s, const Laws& laws, const NodeRange& range);
 class Workspace {
   public:
     Workspace(Strip& strip, std::int64_t width) : width_(static_cast<std::size_t>(width) + 8) {
-        const std::size_t arrays = 5 * CellRow::k_arrays + 2 * FaceRow::k_arrays + 12;
+        const std::size_t arrays = 5 * CellRow::k_arrays + 2 * FaceRow::k_arrays + 24;
         if (strip.work.size() < arrays * width_) strip.work.resize(arrays * width_);
         next_ = strip.work.data();
         for (CellRow& row : rows)
@@ -34,10 +34,13 @@ class Workspace {
                 *array = take();
         for (auto& row : beyond)
             for (double*& array : row) array = take();
+        for (auto& row : carried)
+            for (double*& array : row) array = take();
     }
     CellRow rows[5];
     FaceRow faces[2];
-    double* beyond[4][3];  // depth, qx, qy of the two rows before and after the strip
+    double* beyond[4][5];   // depth, qx, qy, carried of the two rows before and after the strip
+    double* carried[2][2];  // through the faces
 
   private:
     double* take() { return std::exchange(next_, next_ + width_); }
@@ -68,7 +71,7 @@ class Sweeps {
             return;
         }
         BedState* const states = s_.bed_states.data();
-        pool_.for_each(s_.prepared.size(), [&](std::size_t n) { fill_bed_states(s_.prepared[n]); });
+        pool_.for_each(s_.prepared.size(), [&](std::size_t n) { fill_bed_states(s_.prepared[n], 0); });
         for_prepared_rows([&](std::size_t first, std::size_t count) {
             if (std::holds_alternative<NoExcess>(friction.excess)) {
                 kernels_.prepare_summed(c_, first, count, v_, {NoExcess{}, states, friction.yields});
@@ -94,8 +97,14 @@ class Sweeps {
                 kernels_.read_row(c_, before, count + 4, c_.depth + before, c_.qx + before, c_.qy + before, false,
                                   v_.dry, work.rows[0]);
                 kernels_.faces(moved(row, -1), row, moved(row, 1), moved(row, 2), count + 1, v_, work.faces[0]);
-                kernels_.update(c_, first, count, false, v_, work.faces[0], moved(work.faces[0], 1));
                 const double rate = v_.dt / v_.cell_size;
+                for (int n = 0; n < carried(); ++n) {
+                    double *const content = s_.carried[n].data() + first, *const flux = work.carried[0][n];
+                    carry(work.faces[0].mass, count + 1, c_.depth + first - 1, content - 1, c_.depth + first, content,
+                          flux);
+                    change(flux, flux + 1, count, rate, content);
+                }
+                kernels_.update(c_, first, count, false, v_, work.faces[0], moved(work.faces[0], 1));
                 if (strip.region.i0 == k_ghost) strip.left -= rate * work.faces[0].mass[0];
                 if (strip.region.i1 == s_.nodes.stride() - k_ghost) strip.left += rate * work.faces[0].mass[count];
             }
@@ -112,6 +121,8 @@ class Sweeps {
                 std::copy_n(c_.depth + from, count, work.beyond[q][0]);
                 std::copy_n(c_.qx + from, count, work.beyond[q][1]);
                 std::copy_n(c_.qy + from, count, work.beyond[q][2]);
+                for (int n = 0; n < carried(); ++n)
+                    std::copy_n(s_.carried[n].data() + from, count, work.beyond[q][3 + n]);
             }
         });
         for_strips([&](Strip& strip) { sweep_along_y(strip); });
@@ -121,7 +132,7 @@ class Sweeps {
         BedState* const states = s_.bed_states.data();
         for_strips([&](Strip& strip) {
             strip.totals = {};
-            if (friction.summed) fill_bed_states(strip.region);  // of what has just been reached, too
+            if (friction.summed) fill_bed_states(strip.region, v_.dt);  // of what has just been reached, too
         });
         for_rows([&](Strip& strip, std::size_t first, std::size_t count) {
             if (!friction.summed) {
@@ -199,8 +210,21 @@ class Sweeps {
             for (std::int64_t j = r.j0; j < r.j1; ++j) task(index(r.i0, j), static_cast<std::size_t>(r.i1 - r.i0));
         });
     }
-    // The states of the bed at the beginning of the step, and every law's part.
-    void fill_bed_states(const Region& r) {
+    [[nodiscard]] int carried() const { return s_.carried[0].size() == 0 ? 0 : s_.carried[1].size() == 0 ? 1 : 2; }
+    // What passes faces with their mass: of the cell from which it comes.
+    static void carry(const double* mass, std::size_t count, const double* depth_below, const double* below,
+                      const double* depth_above, const double* above, double* flux) {
+        for (std::size_t q = 0; q < count; ++q)
+            flux[q] = mass[q] > 0   ? mass[q] * (below[q] / depth_below[q])
+                      : mass[q] < 0 ? mass[q] * (above[q] / depth_above[q])
+                                    : 0;
+    }
+    static void change(const double* before, const double* after, std::size_t count, double rate, double* content) {
+        for (std::size_t q = 0; q < count; ++q) content[q] -= rate * (after[q] - before[q]);
+    }
+    // The states of the bed, and every law's part. Pore pressure advances over dt, and acts as in the middle of it.
+    void fill_bed_states(const Region& r, double dt) {
+        const PorePressure& law = laws_.friction.pore_pressure;
         const NodeRange range(r.i0, r.i1, r.j0, r.j1);
         range.for_each(c_.stride, [&](std::size_t k, std::int64_t, std::int64_t) {
             const double h = c_.depth[k];
@@ -210,7 +234,19 @@ class Sweeps {
             const Point u = BedFrame{c_.slope_x[k], c_.slope_y[k], c_.root[k]}.in_map(c_.qx[k] / h, c_.qy[k] / h);
             const BedCurvature curvature{c_.curvature_xx[k], c_.curvature_xy[k], c_.curvature_yy[k]};
             const double supported = v_.gravity + std::max(-v_.gravity, curvature.load(u.x, u.y));
-            s_.bed_states[k] = {h / c_.root[k], supported / c_.root[k], 0, 0, 0, 0, 0};
+            double ratio = 0;
+            if (carried() > 0) {
+                PorePressure::State pores = s_.pores(k);
+                const auto half_step = [&] {
+                    pores = law.after(pores, h / c_.root[k], std::hypot(c_.qx[k], c_.qy[k]) / h,
+                                      v_.gravity / c_.root[k], 0.5 * dt);
+                };
+                half_step();
+                ratio = pores.ratio;
+                half_step();
+                if (dt > 0) s_.set_pores(k, h, pores);
+            }
+            s_.bed_states[k] = {h / c_.root[k], supported / c_.root[k], 0, 0, 0, 0, ratio};
         });
         for (const auto& sweep : laws_.friction.sweeps) sweep(range, s_.nodes, s_.bed_states.data());
     }
@@ -226,7 +262,9 @@ class Sweeps {
             report.momentum_y += change * area * motion.v;
         } else {
             report.eroded -= change * area;
+            s_.set_pores(k, -change, laws_.exchange.bed, true);
         }
+        for (int n = 0; n < carried(); ++n) s_.carried[n][k] *= kept;
         c_.depth[k] -= change;
         c_.qx[k] *= kept;
         c_.qy[k] *= kept;
@@ -327,17 +365,30 @@ class Sweeps {
             }
         };
         const auto row = [&](std::int64_t j) -> const CellRow& { return work.rows[(j - strip.region.j0 + 5) % 5]; };
-        const auto faces = [&](std::int64_t j, const FaceRow& to) {
-            kernels_.faces(row(j - 2), row(j - 1), row(j), row(j + 1), count, v_, to);
+        // Of rows that are not updated yet.
+        const auto content = [&](std::int64_t j, int n) -> const double* {
+            if (j < strip.region.j0) return work.beyond[1][n];
+            if (j >= strip.region.j1) return work.beyond[2][n];
+            const std::size_t first = index(strip.region.i0, j);
+            return (n == 0 ? c_.depth : s_.carried[n - 3].data()) + first;
+        };
+        const auto faces = [&](std::int64_t j, int to) {
+            kernels_.faces(row(j - 2), row(j - 1), row(j), row(j + 1), count, v_, work.faces[to]);
+            for (int n = 0; n < carried(); ++n)
+                carry(work.faces[to].mass, count, content(j - 1, 0), content(j - 1, 3 + n), content(j, 0),
+                      content(j, 3 + n), work.carried[to][n]);
         };
         for (std::int64_t j = strip.region.j0 - 2; j < strip.region.j0 + 2; ++j) read(j, row(j));
         int now = 0;
-        faces(strip.region.j0, work.faces[now]);
+        faces(strip.region.j0, now);
         const double rate = v_.dt / v_.cell_size;
         if (strip.region.j0 == k_ghost) strip.left -= rate * sum(work.faces[now].mass, count);
         for (std::int64_t j = strip.region.j0; j < strip.region.j1; ++j) {
             read(j + 2, row(j + 2));
-            faces(j + 1, work.faces[1 - now]);
+            faces(j + 1, 1 - now);
+            for (int n = 0; n < carried(); ++n)
+                change(work.carried[now][n], work.carried[1 - now][n], count, rate,
+                       s_.carried[n].data() + index(strip.region.i0, j));
             kernels_.update(c_, index(strip.region.i0, j), count, true, v_, work.faces[now], work.faces[1 - now]);
             now = 1 - now;
         }

@@ -347,8 +347,6 @@ void check_finite_volume(const SceneSpec& scene, const std::set<std::string>& gi
     if (numerics.flight.value_or(false)) refuse("numerics.flight", "on", k_of_particles);
     if (!numerics.curvature.value_or(true) && slope_correction(numerics) != SlopeCorrection::none)
         refuse("numerics.curvature", "off", "is not possible with numerics.scheme = finite-volume");
-    if (scene.material.pore_pressure(scene.material.density).active())
-        refuse("material.pore-pressure-ratio", "", "pore pressure needs particles that carry it");
     if (writes_particles(scene.output)) refuse("output.formats", "particles-gpkg", k_of_particles);
 }
 

@@ -23,14 +23,14 @@ TEST(Stability, WritesOneLinePerCase) {
     StabilityOptions options;
     options.only = {"step-down", "film-1um"};
     const auto rows = run_stability(options);
-    ASSERT_EQ(rows.size(), 2u);
+    ASSERT_EQ(rows.size(), 4u);
     for (const StabilityRow& row : rows) {
         EXPECT_TRUE(row.passed) << row.case_name;
         EXPECT_GT(row.sound.steps, 0);
     }
     const std::string csv = stability_csv(rows);
-    EXPECT_EQ(csv.substr(0, csv.find('\n')), "case,passed,figure,limit");
-    EXPECT_NE(csv.find("\nstep-down,true,"), std::string::npos);
+    EXPECT_EQ(csv.substr(0, csv.find('\n')), "case,scheme,passed,figure,limit");
+    EXPECT_NE(csv.find("\nstep-down,finite-volume,true,"), std::string::npos);
 }
 
 TEST(Soundness, DetectsNonFiniteValues) {

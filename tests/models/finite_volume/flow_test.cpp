@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "simulation/finite_volume_flow.h"
+#include "simulation/stepped_run.h"
 #include "support/cases.h"
 
 namespace frana::test {
@@ -229,6 +230,71 @@ TEST(FiniteVolumes, NoCellIsFasterThanItsFall) {
         EXPECT_LT(fastest, std::sqrt(2 * k_gravity * (0.7 * 500 + 10)));
         EXPECT_GT(fastest, 20);
     }
+}
+
+// What leaves the ground of a slope of 30 degrees on cells of 5 m, of the whole volume: over a cliff and of noise.
+struct Thrown {
+    double by_cells = 0, by_particles = 0;
+};
+Thrown thrown(double cliff, double roughness) {
+    const GridSpec grid = bench::plain_grid(160, 40, 5);
+    std::mt19937 random(7);
+    std::normal_distribution<double> noise(0, roughness);
+    const Raster bed = bench::sample_raster(
+        grid, [&](Point p) { return std::tan(M_PI / 6) * (800 - p.x) + (p.x < 400 ? cliff : 0) + noise(random); });
+    const ParticleSet seeds = bench::fill_lattice(
+        grid, 2, 0, [](Point p) { return bench::Seed{4 - 0.1 * std::hypot(p.x - 100, p.y - 100)}; });
+    Material material = dry_friction(15);
+    material.turbulence = 1000;
+    Flow particles(bed, seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open), 2);
+    particles.advance_to(50);
+    FiniteVolumeFlow cells = flow_on(bed, seeds, material, volumes(Boundary::open), 2);
+    const double volume = cells.volume();
+    cells.advance_to(50);
+    return {cells.state().jumps.volume / volume, particles.flights().statistics().volume / volume};
+}
+
+// Where a half of the flow or more leaves the ground it differs afterwards, and what stays lies deep before the edge.
+TEST(FiniteVolumes, TellOfAboutAsMuchAsACliffThrowsOfParticles) {
+    for (const double cliff : {20.0, 40.0, 60.0, 100.0}) {
+        const Thrown volume = thrown(cliff, 0);
+        EXPECT_GT(volume.by_particles, 0.1) << cliff;
+        EXPECT_NEAR(volume.by_cells, volume.by_particles, 0.35 * volume.by_particles) << cliff;
+    }
+}
+
+TEST(FiniteVolumes, TellOfNothingOnSlopesThatThrowNothing) {
+    EXPECT_EQ(thrown(0, 0).by_cells, 0);
+    EXPECT_LT(thrown(12, 0).by_cells, 0.01);
+    const Thrown rough = thrown(0, 0.3);
+    EXPECT_LT(rough.by_cells, 0.01);
+    EXPECT_LT(rough.by_particles, 0.01);
+}
+
+// Between two times the potential energy lost is what is gained in motion and lost to friction, but for what the ends
+// of the slab lose; none is gained.
+TEST(FiniteVolumes, EnergiesOfASlabAreInBalance) {
+    const GridSpec grid = bench::plain_grid(200, 6, 5);
+    const Raster bed = bench::sample_raster(grid, [](Point p) { return 0.5 * (1000 - p.x); });
+    const ParticleSet seeds =
+        bench::fill_lattice(grid, 1, 0, [](Point p) { return bench::Seed{p.x > 100 && p.x < 500 ? 1.0 : 0.0}; });
+    Material material = dry_friction(10);
+    material.turbulence = 500;
+    FiniteVolumeFlow flow = flow_on(bed, seeds, material, volumes(Boundary::wall));
+    EnergyWatch watch;
+    StepStatistics first = flow.step(10), last = first;
+    double dissipated = 0.5 * first.energy_dissipated;
+    for (watch.add(first); flow.time() < 8; watch.add(last)) {
+        dissipated += 0.5 * last.energy_dissipated;
+        last = flow.step(10);
+        dissipated += 0.5 * last.energy_dissipated;
+    }
+    dissipated -= 0.5 * first.energy_dissipated;
+    const double fallen = first.energy - first.energy_moving - (last.energy - last.energy_moving);
+    EXPECT_GT(last.energy_moving, 0.2 * fallen);
+    EXPECT_NEAR(last.energy_moving - first.energy_moving + dissipated, fallen, 0.005 * fallen);
+    ASSERT_TRUE(watch.error());
+    EXPECT_LT(*watch.error(), 1e-3);
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ TEST(RowKernels, GiveTheSameBitsInEverySetOfInstructions) {
     EXPECT_EQ(ground[0].arrays, ground[1].arrays);
     for (int lane = 0; lane < 4; ++lane) {
         EXPECT_EQ(totals[0].max_speed[lane], totals[1].max_speed[lane]);
-        EXPECT_EQ(totals[0].kinetic[lane], totals[1].kinetic[lane]);
+        EXPECT_EQ(totals[0].dissipated[lane], totals[1].dissipated[lane]);
     }
     double motion = 0;
     for (const double q : ground[0].arrays[1]) motion += std::abs(q);
