@@ -25,7 +25,7 @@ void leave_out_times(Json& manifest) {
     for (Json& file : manifest["files"]) {
         const std::string name = file["name"];
         if (name.ends_with(".gpkg") || name == "log.txt" || name == "summary.json" || name == "report.html" ||
-            name == "convergence.csv" || name == "members.csv" || name == "records.frana")
+            name == "convergence.csv" || name == "convergence.png" || name == "members.csv" || name == "records.frana")
             file = {{"name", name}};
     }
 }
@@ -49,7 +49,7 @@ std::string without_seconds(const std::string& table) {
         std::size_t column = 0;
         for (std::string word; std::getline(words, word, ','); ++column) {
             if (names.size() <= column) names.push_back(word);
-            if (names[column] != "wall_seconds" && names[column] != "engine_seconds") kept += word + ",";
+            if (!names[column].ends_with("_seconds")) kept += word + ",";
         }
         kept += "\n";
     }
@@ -78,7 +78,8 @@ std::string lasting_bytes(const std::string& file) {
     if (name == "summary.json") return without(bytes, leave_out_cost);
     if (name == "manifest.json") return without(bytes, leave_out_times);
     if (name == "convergence.csv" || name == "members.csv") return without_seconds(bytes);
-    if (name == "log.txt" || name == "report.html") return bytes.empty() ? "" : "some text";
+    if (name == "log.txt" || name == "report.html" || name == "convergence.png")
+        return bytes.empty() ? "" : "some text";
     if (name == "records.frana") return std::to_string(bytes.size());  // each member has the time that it took
     return name.ends_with(".gpkg") ? without_dates(bytes) : bytes;
 }

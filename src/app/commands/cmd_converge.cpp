@@ -6,6 +6,8 @@
 #include <iostream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <tuple>
+#include <utility>
 
 #include "analysis/convergence.h"
 #include "analysis/trace.h"
@@ -28,6 +30,7 @@
 #include "app/text/version.h"
 #include "core/json.h"
 #include "core/text.h"
+#include "core/thread_pool.h"
 #include "gis/raster/raster_out.h"
 #include "gis/raster/styles.h"
 #include "params/keys/output_parameters.h"
@@ -43,12 +46,13 @@ namespace frana::app {
 CommandForm converge_form() {
     CommandForm form{"frana converge SCENE.ini [options]",
                      "Runs a scene at several resolutions, the scene's own cell size being the finest and each other "
-                     "level twice as\ncoarse, and estimates the error of the finest: convergence.csv, "
+                     "level twice as\ncoarse, and estimates error and time of each: convergence.csv, "
                      "convergence.json, convergence.png, uncertainty.tif.",
                      "SCENE.ini",
                      {}};
     form.options.add_options()("out", one("FOLDER"), "folder (default: RESULT_DIR-convergence)")(
         "levels", one("N")->default_value("3"), "number of resolutions, 3 to 6")(
+        "schemes", "also by the other scheme, material points or finite volumes: which is accurate in the least time")(
         "set", many("KEY=VALUE"), "section.key=value, overrides the scene; repeatable")(
         "threads", one("N"), "number of threads (default: all processors)")(
         "overwrite", "replace an existing convergence study")("quiet,q", "no progress on the terminal")(
@@ -64,7 +68,7 @@ namespace fs = std::filesystem;
 struct Level {
     double cell_size = 0;
     std::int64_t particles = 0, steps = 0;
-    double wall_seconds = 0;
+    double wall_seconds = 0, cpu_seconds = 0;  ///< of computing
     RunStatistics statistics;
     Raster depth;
     std::vector<Sentence> warnings;  ///< as `frana run` would give
@@ -76,7 +80,35 @@ struct EstimatedValue {
     GridConvergence convergence;
 };
 
+/// The levels of one scheme, the coarsest first.
+struct SchemeLevels {
+    Scheme scheme = Scheme::standard;
+    std::vector<Level> levels{};
+    std::vector<EstimatedValue> estimates{};
+
+    [[nodiscard]] std::string name() const { return word_of(scheme, k_schemes); }
+    /// How far a value is from its limit at most, relative to that on the finest cells: their distance from a level,
+    /// and the estimated error of the finest. Infinite where that does not converge.
+    [[nodiscard]] double error(const Level& level, const EstimatedValue& value) const {
+        const double finest = value.statistic.of(levels.back().statistics);
+        return (std::abs(value.statistic.of(level.statistics) - finest) + value.convergence.error) / std::abs(finest);
+    }
+    /// Number of values that do not converge.
+    [[nodiscard]] std::int64_t unknown() const {
+        return std::count_if(estimates.begin(), estimates.end(),
+                             [](const EstimatedValue& one) { return !std::isfinite(one.convergence.error); });
+    }
+    /// The greatest error of a level among the values that converge, and its value; null: none does.
+    [[nodiscard]] std::pair<double, const EstimatedValue*> worst(const Level& level) const {
+        std::pair<double, const EstimatedValue*> found{k_no_data, nullptr};
+        for (const EstimatedValue& one : estimates)
+            if (const double own = error(level, one); std::isfinite(own) && !(own <= found.first)) found = {own, &one};
+        return found;
+    }
+};
+
 Level run_level(const Prepared& prepared, const SceneVariants& variants) {
+    const double begun = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
     RunResult result = variants.run(prepared.scene);
     if (!result.run_problems.empty()) {
         throw Error(ErrorKind::numerical,
@@ -89,6 +121,7 @@ Level run_level(const Prepared& prepared, const SceneVariants& variants) {
     level.particles = result.particles_peak;
     level.steps = result.steps;
     level.wall_seconds = result.engine_seconds;
+    level.cpu_seconds = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID) - begun;
     level.statistics = run_statistics(result, prepared.spec.output.trace_threshold);
     RunLog log(true);
     warn_without_pages(prepared, result, log);
@@ -122,37 +155,88 @@ std::vector<EstimatedValue> estimates_of(const std::vector<Level>& levels, const
     return estimates;
 }
 
-std::string csv_text(const std::vector<Level>& levels) {
-    std::string text = "cell_size_m,particles,steps,wall_seconds";
+std::string csv_text(const std::vector<SchemeLevels>& schemes) {
+    std::string text = "scheme,cell_size_m,particles,steps,wall_seconds,cpu_seconds,error,not_converged";
     for (const RunStatistic& name : reported_statistics()) text += std::string(",") + name.key;
+    for (const RunStatistic& name : reported_statistics()) text += std::string(",error_") + name.key;
     text += '\n';
-    for (const Level& l : levels) {
-        text += shortest_text(l.cell_size) + ',' + std::to_string(l.particles) + ',' + std::to_string(l.steps) + ',' +
-                shortest_text(l.wall_seconds);
-        for (const RunStatistic& name : reported_statistics()) text += ',' + shortest_text(name.of(l.statistics));
-        text += '\n';
-    }
+    const auto cell = [](double value) { return "," + (std::isfinite(value) ? shortest_text(value) : std::string()); };
+    for (const SchemeLevels& one : schemes)
+        for (const Level& l : one.levels) {
+            text += one.name() + cell(l.cell_size) + ',' + std::to_string(l.particles) + ',' + std::to_string(l.steps) +
+                    cell(l.wall_seconds) + cell(l.cpu_seconds) + cell(one.worst(l).first) + ',' +
+                    std::to_string(one.unknown());
+            for (const EstimatedValue& value : one.estimates) text += cell(value.statistic.of(l.statistics));
+            for (const EstimatedValue& value : one.estimates) text += cell(one.error(l, value));
+            text += '\n';
+        }
     return text;
 }
 
-std::string study_json(const std::vector<Level>& levels, const std::vector<EstimatedValue>& estimates,
-                       const SceneSpec& spec) {
+constexpr double k_good = 0.05;  // error up to which a level counts as good
+
+/// A level of a scheme.
+struct Choice {
+    const SchemeLevels* scheme;
+    const Level* level;
+    double error;  ///< the greatest of the values that converge
+
+    [[nodiscard]] bool is_good() const { return scheme->unknown() == 0 && error <= k_good; }
+};
+
+/// The level that takes the least time of those whose values are all good; if there is none, of those of the scheme
+/// with the most values that converge the one with the least error.
+std::optional<Choice> best_level(const std::vector<SchemeLevels>& schemes) {
+    const auto key = [](const Choice& one) {
+        return std::tuple(!one.is_good(), one.is_good() ? 0 : one.scheme->unknown(),
+                          one.is_good() ? one.level->cpu_seconds : one.error);
+    };
+    std::optional<Choice> best;
+    for (const SchemeLevels& one : schemes)
+        for (const Level& level : one.levels) {
+            const Choice choice{&one, &level, one.worst(level).first};
+            if (!std::isnan(choice.error) && (!best || key(choice) < key(*best))) best = choice;
+        }
+    return best;
+}
+
+Json statistics_json(const SchemeLevels& scheme) {
+    Json json;
+    for (const auto& [name, c] : scheme.estimates)
+        json[name.key] = {{"finest", name.of(scheme.levels.back().statistics)},
+                          {"trend", describe(c.trend)},
+                          {"observed_order", c.observed_order},
+                          {"extrapolated", c.extrapolated},
+                          {"estimated_error", c.error},
+                          {"grid_convergence_index_percent", c.index_percent}};
+    return json;
+}
+
+std::string study_json(const std::vector<SchemeLevels>& schemes, const SceneSpec& spec) {
+    const SchemeLevels& own = schemes.front();
     Json json{{"program", k_program},
               {"version", k_version},
               {"scene", spec.file},
-              {"finest_cell_size_m", levels.back().cell_size}};
+              {"scheme", own.name()},
+              {"finest_cell_size_m", own.levels.back().cell_size}};
     json["warnings"] = Json::array();
-    for (const Level& level : levels)
-        for (const std::string& warning : texts_of(level.warnings)) json["warnings"].push_back(warning);
-    for (const auto& [name, c] : estimates) {
-        json["statistics"][name.key] = {{"finest", name.of(levels.back().statistics)},
-                                        {"trend", describe(c.trend)},
-                                        {"observed_order", c.observed_order},
-                                        {"extrapolated", c.extrapolated},
-                                        {"estimated_error", c.error},
-                                        {"grid_convergence_index_percent", c.index_percent}};
-    }
+    for (const SchemeLevels& one : schemes)
+        for (const Level& level : one.levels)
+            for (const std::string& warning : texts_of(level.warnings)) json["warnings"].push_back(warning);
+    json["statistics"] = statistics_json(own);
+    for (std::size_t s = 1; s < schemes.size(); ++s)
+        json["other_scheme"] = {{"scheme", schemes[s].name()}, {"statistics", statistics_json(schemes[s])}};
     return json_text(json);
+}
+
+/// The good level that takes the least time; null: none is good.
+Json least_time(const std::vector<SchemeLevels>& schemes) {
+    const auto best = best_level(schemes);
+    if (!best || !best->is_good()) return {};
+    return {{"error", best->error},
+            {"scheme", best->scheme->name()},
+            {"cell_size_m", best->level->cell_size},
+            {"cpu_seconds", best->level->cpu_seconds}};
 }
 
 std::string decimals(double value, int digits) {
@@ -161,22 +245,52 @@ std::string decimals(double value, int digits) {
     return text;
 }
 
-/// The table for the terminal, and the sentences stored for later runs.
-std::string table_text(const std::vector<Level>& levels) {
-    std::vector<TextTable::Column> columns;
-    for (const char* title : {"cell [m]", "particles", "steps", "engine [s]", "depth [m]", "depth 99.9 % [m]",
-                              "velocity [m/s]", "velocity 99.9 % [m/s]", "area [m2]", "run-out [m]"})
+std::string table_text(const std::vector<SchemeLevels>& schemes) {
+    std::vector<TextTable::Column> columns{{"scheme", 13}};
+    for (const char* title :
+         {"cell [m]", "particles", "steps", "CPU [s]", "error [%]", "not converged", "depth [m]", "depth 99.9 % [m]",
+          "velocity [m/s]", "velocity 99.9 % [m/s]", "area [m2]", "run-out [m]"})
         columns.push_back({title, 12, true});
     TextTable table(columns, false);
-    for (const Level& l : levels)
-        table.add({decimals(l.cell_size, 2), std::to_string(l.particles), std::to_string(l.steps),
-                   decimals(l.wall_seconds, 1), decimals(l.statistics.depth.greatest, 2),
-                   decimals(l.statistics.depth.p999, 2), decimals(l.statistics.speed.greatest, 2),
-                   decimals(l.statistics.speed.p999, 2), decimals(l.statistics.covered_area, 0),
-                   decimals(l.statistics.run_out, 1)});
+    for (const SchemeLevels& one : schemes)
+        for (const Level& l : one.levels)
+            table.add({one.name(), decimals(l.cell_size, 2), std::to_string(l.particles), std::to_string(l.steps),
+                       decimals(l.cpu_seconds, 2), number_text(100 * one.worst(l).first, 2),
+                       std::to_string(one.unknown()), decimals(l.statistics.depth.greatest, 2),
+                       decimals(l.statistics.depth.p999, 2), decimals(l.statistics.speed.greatest, 2),
+                       decimals(l.statistics.speed.p999, 2), decimals(l.statistics.covered_area, 0),
+                       decimals(l.statistics.run_out, 1)});
     return table.text(output_width());
 }
 
+/// Which level to take; and how far the schemes are apart on the finest cells, which no error of theirs contains.
+std::string advice(const std::vector<SchemeLevels>& schemes) {
+    const auto best = best_level(schemes);
+    const std::string good = number_text(100 * k_good) + " %";
+    if (!best) return "no value converges: no level has an estimated error\n";
+    const std::string level = best->scheme->name() + " on cells of " + number_text(best->level->cell_size) + " m, " +
+                              number_text(best->level->cpu_seconds, 2) + " s of CPU\n";
+    std::string text = "all values within " + good + " in the least time: " + level;
+    if (!best->is_good()) {
+        const std::int64_t unknown = best->scheme->unknown();
+        text = "no level has all values within " + good + "; least error " + number_text(100 * best->error, 2) +
+               " % (" + best->scheme->worst(*best->level).second->statistic.title +
+               (unknown > 0 ? "; " + std::to_string(unknown) + " do not converge" : "") + "): " + level;
+    }
+    if (schemes.size() < 2) return text;
+    double most = 0;
+    std::string title;
+    for (const RunStatistic& name : reported_statistics()) {
+        const double own = name.of(schemes[0].levels.back().statistics),
+                     other = name.of(schemes[1].levels.back().statistics), apart = std::abs(other / own - 1);
+        if (apart > most) title = name.title;
+        most = std::max(most, apart);
+    }
+    return text + "on the finest cells the schemes differ by at most " + number_text(100 * most, 2) + " %" +
+           (title.empty() ? "" : " (" + title + ")") + "\n";
+}
+
+/// The sentences stored for later runs.
 std::string sentences(const std::vector<Level>& levels, const std::vector<EstimatedValue>& estimates) {
     std::string text;
     for (const auto& [name, c] : estimates) {
@@ -196,30 +310,60 @@ std::string sentences(const std::vector<Level>& levels, const std::vector<Estima
            "estimate is a caution\n";
 }
 
-/// Difference of each level's values from their extrapolated values, relative to those, against the cell size.
-render::Image chart_of(const std::vector<Level>& levels, const std::vector<EstimatedValue>& estimates,
-                       const Words& words) {
+/// Colours of the scene's scheme and of the other one.
+constexpr Rgb k_colours[] = {{0, 90, 181}, {204, 85, 0}};
+
+render::ChartSeries begin_series(const std::vector<SchemeLevels>& schemes, std::size_t scheme, const Words& words) {
+    const std::string name = schemes.size() == 1 ? words("this scene") : schemes[scheme].name();
+    render::ChartSeries series{name, k_colours[scheme], {}};
+    series.marker = scheme == 0 ? render::Marker::circle : render::Marker::square;
+    return series;
+}
+
+/// Greatest error of each level, of the values that converge, against its time.
+render::ChartPanel time_panel(const std::vector<SchemeLevels>& schemes, const Words& words) {
+    render::ChartPanel panel{
+        words("Greatest error of the values that converge"), words("CPU time [s]"), words("estimated error [-]"), {}};
+    for (std::size_t s = 0; s < schemes.size(); ++s) {
+        render::ChartSeries series = begin_series(schemes, s, words);
+        for (const Level& level : schemes[s].levels)
+            if (const double error = schemes[s].worst(level).first; error > 0)
+                series.points.push_back({level.cpu_seconds, error});
+        panel.series.push_back(std::move(series));
+    }
+    panel.x = panel.y = render::Scale::decades;
+    panel.note = words("no estimate");
+    return panel;
+}
+
+/// Difference of each level's values from their extrapolated values, relative to those, against the cell size; and the
+/// errors against time.
+render::Image chart_of(const std::vector<SchemeLevels>& schemes, const Words& words) {
     render::Chart chart{words("Convergence"),
                         words("distance from the extrapolated value, if there is one; otherwise from the finest"),
                         "",
-                        3,
+                        4,
                         {},
-                        true,
+                        false,
                         words};
-    for (const auto& [name, convergence] : estimates) {
-        const double limit = convergence.extrapolated;
-        render::ChartSeries series{words("this scene"), {0, 90, 181}, {}};
-        series.marker = render::Marker::circle;
-        for (const Level& level : levels) {
-            const double distance = std::abs(name.of(level.statistics) - limit) / std::abs(limit);
-            if (distance > 0) series.points.push_back({level.cell_size, distance});
+    for (std::size_t i = 0; i < schemes.front().estimates.size(); ++i) {
+        const RunStatistic& name = schemes.front().estimates[i].statistic;
+        render::ChartPanel panel{words(name.title), words("cell size [m]"), words("relative distance [-]"), {}};
+        for (std::size_t s = 0; s < schemes.size(); ++s) {
+            render::ChartSeries series = begin_series(schemes, s, words);
+            const double limit = schemes[s].estimates[i].convergence.extrapolated;
+            for (const Level& level : schemes[s].levels) {
+                const double distance = std::abs(name.of(level.statistics) - limit) / std::abs(limit);
+                if (distance > 0) series.points.push_back({level.cell_size, distance});
+            }
+            panel.series.push_back(std::move(series));
         }
-        render::ChartPanel panel{words(name.title), words("cell size [m]"), words("relative distance [-]"), {series}};
         panel.x = panel.y = render::Scale::decades;
         panel.note = words("no difference between the levels");
         chart.panels.push_back(std::move(panel));
     }
-    return render::draw_chart(chart, 1600, 1100);
+    chart.panels.push_back(time_panel(schemes, words));
+    return render::draw_chart(chart, 2000, 1100);
 }
 
 int level_count(const boost::program_options::variables_map& values) {
@@ -284,6 +428,34 @@ std::string renewed_report(const fs::path& folder, const SceneSpec& spec, double
     return renew_page(result, parts) ? report.string() : std::string();
 }
 
+/// The scheme with which a scene is compared. Throws Error(input) if it cannot be computed by it.
+Scheme other_scheme(const Prepared& prepared, SceneVariants& variants) {
+    if (prepared.scene.structured)
+        throw Error(ErrorKind::input,
+                    Problem{"the structured model has one scheme only", "--schemes", "", "", "Leave it out"});
+    const Scheme other =
+        prepared.spec.numerics.scheme == Scheme::finite_volume ? Scheme::standard : Scheme::finite_volume;
+    static_cast<void>(variants.read({"numerics.scheme=" + word_of(other, k_schemes)}));
+    return other;
+}
+
+/// Writes the raster of the estimated error of the greatest depth, and its styles. The levels' depths are moved from.
+void write_uncertainty(const std::string& raster, std::vector<Level>& levels, const SceneSpec& spec,
+                       const Words& words) {
+    std::vector<Raster> depths;
+    for (Level& level : levels) depths.push_back(std::move(level.depth));
+    const ResultRaster& row = *find_result_raster(k_uncertainty);
+    const Raster uncertainty = field_uncertainty(depths);
+    gis::write_geotiff(raster, uncertainty,
+                       {row.name,
+                        description_of(row, row.name, spec.output),
+                        row.unit,
+                        {{"PROGRAM", k_program}, {"VERSION", k_version}}});
+    const std::vector<double> classes = class_bounds(row, spec.output.classes, maximum(uncertainty));
+    gis::write_styles(raster, gis::class_stops(palette(row.palette), classes, row.unit, words), row.unit,
+                      gis::StyleKind::classed, words(row.title));
+}
+
 }  // namespace
 
 int cmd_converge(const Arguments& arguments) {
@@ -311,39 +483,34 @@ int cmd_converge(const Arguments& arguments) {
     if (begin_record(scenes.front()).terrain_cell_size < 0.99 * finest)
         half = variants.read({"terrain.cell-size=" + shortest_text(finest / 2)}).scene.terrain;
 
+    std::vector<SchemeLevels> schemes{{spec.numerics.scheme}};
+    if (values->count("schemes") > 0) schemes.push_back({other_scheme(scenes.front(), variants)});
     catch_stop_signals();
-    std::vector<Level> levels;
     Raster own;
     for (; !scenes.empty(); scenes.pop_back()) {  // the coarsest is the last
-        levels.push_back(run_level(scenes.back(), variants));
-        if (stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
-        own = std::move(scenes.back().scene.terrain);
+        Prepared& level = scenes.back();
+        for (SchemeLevels& one : schemes) {
+            level.scene.numerics.scheme = level.spec.numerics.scheme = one.scheme;
+            one.levels.push_back(run_level(level, variants));
+            if (stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
+        }
+        own = std::move(level.scene.terrain);
     }
-    const std::vector<EstimatedValue> estimates = estimates_of(levels, own, half, spec.output.trace_threshold);
+    for (SchemeLevels& one : schemes) one.estimates = estimates_of(one.levels, own, half, spec.output.trace_threshold);
+    std::vector<Level>& levels = schemes.front().levels;
 
     RunLog log(quiet);
-    for (const Level& level : levels)
-        for (const Sentence& warning : level.warnings) log.warn(warning);
+    for (const SchemeLevels& one : schemes)
+        for (const Level& level : one.levels)
+            for (const Sentence& warning : level.warnings) log.warn(warning);
     begin_own(folder.string(), files_of(folder));
-    std::vector<Raster> depths;
-    for (Level& level : levels) depths.push_back(std::move(level.depth));
-    const std::string text = sentences(levels, estimates);
-    const ResultRaster& row = *find_result_raster(k_uncertainty);
     const Words words = words_of(spec);
-    const std::string raster = (folder / k_uncertainty).string() + ".tif";
-    const Raster uncertainty = field_uncertainty(depths);
-    gis::write_geotiff(raster, uncertainty,
-                       {row.name,
-                        description_of(row, row.name, spec.output),
-                        row.unit,
-                        {{"PROGRAM", k_program}, {"VERSION", k_version}}});
-    const std::vector<double> classes = class_bounds(row, spec.output.classes, maximum(uncertainty));
-    gis::write_styles(raster, gis::class_stops(palette(row.palette), classes, row.unit, words), row.unit,
-                      gis::StyleKind::classed, words(row.title));
-    write_text_file((folder / k_table).string(), csv_text(levels));
+    write_uncertainty((folder / k_uncertainty).string() + ".tif", levels, spec, words);
+    const std::string text = sentences(levels, schemes.front().estimates);
+    write_text_file((folder / k_table).string(), csv_text(schemes));
     write_error_estimate(folder.string(), spec, text);
-    write_text_file((folder / k_study).string(), study_json(levels, estimates, spec));
-    is_drawn(k_chart, log, [&] { render::write_png((folder / k_chart).string(), chart_of(levels, estimates, words)); });
+    write_text_file((folder / k_study).string(), study_json(schemes, spec));
+    is_drawn(k_chart, log, [&] { render::write_png((folder / k_chart).string(), chart_of(schemes, words)); });
     record_files(files_of(folder));
     const std::string report = renewed_report(folder, spec, finest);
     if (values->count("json") > 0) {
@@ -351,11 +518,12 @@ int cmd_converge(const Arguments& arguments) {
         document["folder"] = folder.string();
         document["files"] = files_of(folder);
         if (!report.empty()) document["files"].push_back(report);
-        document["convergence"] = Json::parse(study_json(levels, estimates, spec));
-        document["levels"] = rows_of(csv_text(levels));
+        document["convergence"] = Json::parse(study_json(schemes, spec));
+        document["levels"] = rows_of(csv_text(schemes));
+        document["least_time"] = least_time(schemes);
         print_document(document);
     } else {
-        std::cout << table_text(levels) << '\n' << folded(text, output_width());
+        std::cout << table_text(schemes) << '\n' << folded(advice(schemes) + text, output_width());
     }
     if (!quiet) std::cerr << "frana: convergence study in " << folder.string() << '\n';
     if (!quiet && !report.empty()) std::cerr << "frana: " << report << " shows these errors beside its values\n";

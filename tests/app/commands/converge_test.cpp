@@ -38,6 +38,34 @@ TEST_F(ConvergeCommand, ReportsLevelsAndLaterRunsReportThem) {
     EXPECT_EQ(other.err.find("estimated error"), std::string::npos) << other.err;
 }
 
+// Errors of a level are its distance from the finest one and the error of that; times are of the processor.
+TEST_F(ConvergeCommand, TellsErrorAndTimeOfEachLevelOfBothSchemes) {
+    write_scene(k_numbers_only);
+    const Outcome study = frana({"converge", "scene.ini", "--out", "both", "--schemes", "--quiet", "--json"});
+    ASSERT_EQ(study.exit_code, 0) << study.err;
+    const Json json = parse_json(study.out), rows = json["levels"], convergence = json["convergence"];
+    ASSERT_EQ(rows.size(), 6U);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Json &row = rows[i], &finest = rows[i / 3 * 3 + 2];
+        EXPECT_EQ(row["scheme"], i < 3 ? "default" : "finite-volume");
+        EXPECT_GT(row["cpu_seconds"].get<double>(), 0);
+        EXPECT_EQ(row["particles"].get<int>() > 0, i < 3);
+        const Json& statistics = i < 3 ? convergence["statistics"] : convergence["other_scheme"]["statistics"];
+        const double own = row["max_depth_m"], best = finest["max_depth_m"];
+        EXPECT_EQ(statistics["max_depth_m"]["finest"], best);
+        if (!row["error_max_depth_m"].is_number()) continue;  // not converged
+        EXPECT_NEAR(row["error_max_depth_m"].get<double>(),
+                    (std::abs(own - best) + statistics["max_depth_m"]["estimated_error"].get<double>()) / best, 1e-6);
+        EXPECT_GE(row["error"].get<double>(), row["error_max_depth_m"].get<double>());
+    }
+    EXPECT_TRUE(json.contains("least_time"));
+    EXPECT_EQ(frana({"converge", "scene.ini", "--out", "fly", "--schemes", "--set", "numerics.flight=on"}).exit_code,
+              2);
+    const Outcome printed = frana({"converge", "scene.ini", "--out", "both", "--schemes", "--quiet", "--overwrite"});
+    for (const char* told : {"within 5 %", "on the finest cells the schemes differ by at most", "s of CPU"})
+        EXPECT_NE(printed.out.find(told), std::string::npos) << told << "\n" << printed.out;
+}
+
 // The levels' own cell sizes count in place of the one given, which is the finest.
 TEST_F(ConvergeCommand, TheFinestCellsMayBeGiven) {
     write_scene(k_numbers_only);
