@@ -405,6 +405,8 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
         facts.scheme_check = check_scheme(input, candidates_of(result), study.threads);
         if (facts.scheme_check)
             for (const Sentence& sentence : sentences_of(*facts.scheme_check)) log.info(sentence.text());
+        if (const auto warning = facts.scheme_check ? warning_of(*facts.scheme_check) : std::nullopt)
+            log.warn_first({*warning});
         write_member_outlines(input, result, directory.path(k_member_outlines));
         facts.exposure = publish_study_exposure(input, result, map, directory);
         if (facts.exposure) log.info(exposure_sentence(*facts.exposure, exposure_reached_by(input)));

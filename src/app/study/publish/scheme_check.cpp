@@ -111,6 +111,17 @@ Sentence percent(double fraction) {
 
 }  // namespace
 
+std::optional<Sentence> warning_of(const SchemeCheck& check) {
+    constexpr double k_alike = 0.1;  // of run-out or area
+    double most = 0;
+    for (const SchemeCheck::Member& one : check.members)
+        if (one.failure.empty())
+            for (const std::size_t figure : {0, 1}) most = std::fmax(most, std::abs(one.difference(figure)));
+    if (check.scheme != word_of(Scheme::finite_volume, k_schemes) || most <= k_alike) return std::nullopt;
+    return worded("run-out or area differ by {1} % from particles: take study.scheme = default or smaller cells",
+                  {percent(most)});
+}
+
 std::vector<Sentence> sentences_of(const SchemeCheck& check) {
     std::vector<Sentence> all{worded("Scheme of the runs: {1}.", {check.scheme})};
     if (!check.refusal.empty()) all.push_back(worded("Not checked by scheme {1}: {2}.", {check.other, check.refusal}));

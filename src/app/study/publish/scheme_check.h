@@ -51,6 +51,8 @@ std::optional<SchemeCheck> check_scheme(const StudyInput& input, const std::vect
 
 /// Returns what the check says, one sentence for each run; the first names the members' scheme.
 std::vector<Sentence> sentences_of(const SchemeCheck& check);
+/// The warning where members by finite volumes reach elsewhere than by particles; none for members by particles.
+std::optional<Sentence> warning_of(const SchemeCheck& check);
 Json check_json(const SchemeCheck& check);
 /// The name of the common scheme; null without one.
 Json scheme_json(const StudyInput& input);
