@@ -234,6 +234,7 @@ def test_region():
     slopes = polygons(UPPER, LOWER, mu=[0.15, 0.3], scen=["often", "rare"], years=[30, 300], label=["up", "low"])
     parameters = scene("region", release_perimeter=slopes, release_thickness_column="thick", FRICTION="mu", SCENARIO="scen",
                        RETURN_PERIOD="years", NAME="label", hazard_scheme="swiss-hillslope-debris-flow",
+                       hazard_process="hillslope-debris-flow",
                        output_exposure=polygons(LOWER), output_report=True)
     del parameters["release_thickness"]
     assert "Scenario, from a column: " in refusal("batch", {**parameters, "SCENARIO": "nothing"})

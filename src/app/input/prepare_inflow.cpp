@@ -254,10 +254,10 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
                               reading.where("inflow.hydrograph") + ": " + hydrograph, shortest_text(begins) + " s",
                               "before " + shortest_text(reading.scene.time.end) + " s",
                               "Raise time.end, or correct the column time"});
-            warn_of_late_volume(inflow.hydrograph, reading.scene.time.end, log);
             if (ground == nullptr) continue;
             const Bounds box = bounds(MultiPolygon{{feature.line, {}}});
             if (!is_on_ground(reading, "inflow.line", box, *ground, false, problems)) continue;
+            warn_of_late_volume(inflow.hydrograph, reading.scene.time.end, log);
             log.note("line " + std::to_string(i + 1) + ": " + number_text(length, 4) + " m, from " +
                      shortest_text(inflow.hydrograph.front().time) + " s to " +
                      shortest_text(inflow.hydrograph.back().time) + " s");

@@ -71,7 +71,9 @@ TEST_F(Overwrite, LeavesTheFilesOfAFreshRun) {
 void Overwrite::make_studies(bool all) const {
     const std::string two_keys =
         "[vary]\nmaterial.friction-angle = uniform(12, 20)\nmaterial.turbulence = uniform(200, 400)\n";
-    write_scene(k_numbers_only + "pressure-thresholds = 5\n[hazard]\nscheme = swiss-debris-flow\nprocess = all\n");
+    write_scene(k_numbers_only +
+                "pressure-thresholds = 5\n[hazard]\nscheme = swiss-debris-flow\nprocess = all\n[material]\n"
+                "density = 2000\n");
     write("study.ini", "[study]\nscene = scene.ini\nsamples = 8\nsampling = random\nkeep = all\n" + two_keys);
     write("union.ini", "[study]\nscene = scene.ini\nper-polygon = on\n");
     write("region.ini",

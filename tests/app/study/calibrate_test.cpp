@@ -367,7 +367,7 @@ TEST_F(Calibrate, EveryMeasureIsZeroForTheRunThatWasSurveyed) {
     ASSERT_GT(speed, 0);
     write("slope.ini", read_text(path("slope.ini")) + "deposit = surveyed/elevation_change.tif\n");
     write("study.ini",
-          "[study]\nscene = slope.ini\nsamples = 2\n[set]\ntime.end = "
+          "[study]\nscene = slope.ini\nsamples = 4\n[set]\ntime.end = "
           "12\n[objective]\njaccard = "
           "1\narea = 1\nrunout = 1\noutline = 1\ndeposit = 1\ndeposit-depth = 1\narrival = 1\nspeed = 1\ndepth = "
           "1\n[event "
@@ -392,8 +392,8 @@ TEST_F(Calibrate, EveryMeasureIsZeroForTheRunThatWasSurveyed) {
             EXPECT_LE(misfit, 1) << measure;
         }
     }
-    EXPECT_EQ(same, 1);
-    EXPECT_EQ(other, 1);
+    EXPECT_GT(same, 0);
+    EXPECT_GT(other, 0);
     EXPECT_FALSE(calibration()["events"][0]["stated_errors"].get<bool>());
 
     // With stated errors run-out and gauges are a piece each, outline and deposit at least one.
