@@ -210,7 +210,7 @@ std::optional<MemberRecord> record_from(const std::string& bytes) {
     StateReader reader(
         [&](void* to, std::size_t count) {
             StateReader::require(count <= static_cast<std::size_t>(end - next));
-            std::memcpy(to, next, count);
+            std::copy_n(next, count, static_cast<char*>(to));  // none of it may be to a null pointer
             next += count;
         },
         static_cast<std::uint64_t>(end - next));
