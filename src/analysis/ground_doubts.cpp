@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <numbers>
 #include <vector>
 
 #include "analysis/ground_statistics.h"
@@ -467,28 +466,11 @@ void find_rough(const Raster& ground, const Path& path, double cell_size, Ground
     doubts.rough = rough;
 }
 
-/// The median of the slopes that carry a flow.
-double usual_slope(const Raster& ground, const Path& path, double cell_size) {
-    const double least = std::tan(10 * std::numbers::pi / 180);
-    std::vector<double> slopes;
-    for (const std::size_t cell : path.cells()) {
-        const auto at = static_cast<std::int64_t>(cell);
-        const std::int64_t row = at / ground.grid.columns, column = at % ground.grid.columns;
-        if (row < 1 || column < 1 || row + 1 >= ground.grid.rows || column + 1 >= ground.grid.columns) continue;
-        const double slope = std::hypot(ground.at(row, column + 1) - ground.at(row, column - 1),
-                                        ground.at(row + 1, column) - ground.at(row - 1, column)) /
-                             (2 * cell_size);
-        if (slope > least) slopes.push_back(slope);
-    }
-    return slopes.empty() ? 0 : std::atan(percentile(std::move(slopes), 0.5));
-}
-
 }  // namespace
 
 GroundDoubts ground_doubts(const Raster& ground, const Raster& path, double cell_size) {
     GroundDoubts doubts;
     const Path on(path);
-    doubts.slope = usual_slope(ground, on, cell_size);
     const Runs east(ground, path, true), south(ground, path, false);
     find_level_ground(ground, on, east, south, doubts);
     find_pits(ground, on, cell_size, doubts);

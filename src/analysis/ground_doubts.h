@@ -45,7 +45,6 @@ struct GroundDoubts {
     std::optional<Seam> seam;
     std::optional<Pits> pits;
     std::optional<Rough> rough;
-    double slope = 0;  ///< median of the cells steeper than 10 degrees [rad]; 0: there are none
 };
 
 inline constexpr double k_terrace_step = 0.25;  ///< [m]

@@ -154,8 +154,7 @@ void warn_of_energy(const RunResult& result, Warnings& warnings) {
 void warn_of_piles(const RunResult& result, const Scene& scene, Warnings& warnings) {
     const std::optional<Pile> pile = highest_pile(result, scene);
     if (!pile || pile->height <= k_pile * maximum(result.raster("final_depth"))) return;
-    warnings.push_back({worded("the deposit at E {3}, N {4}, {2} m deep, stands {1} m higher than friction holds: its "
-                               "depth is uncertain there, compare with smaller cells",
+    warnings.push_back({worded("deposit of {2} m at E {3}, N {4} uncertain by {1} m: use smaller cells",
                                {numeral(number_text(pile->height, 2)), numeral(number_text(pile->depth, 3)),
                                 numeral(grouped(pile->place.x)), numeral(grouped(pile->place.y))}),
                         false, pile->place});
@@ -393,11 +392,9 @@ std::vector<RunWarning> run_warnings(const RunResult& result, const Scene& scene
 void warn_of_jumps(const RunResult::Jumps& jumps, RunResult& result) {
     if (jumps.volume < k_jumping * result.volume_entered) return;
     result.warnings.push_back(
-        {worded(
-             "{1} m3 ({2} % of all volume that came in) would leave the ground, from E {3}, N {4} for {5} m; finite "
-             "volumes keep it there: set numerics.scheme = default",
-             {numeral(grouped(jumps.volume)), percent(jumps.volume / result.volume_entered),
-              numeral(grouped(jumps.from.x)), numeral(grouped(jumps.from.y)), numeral(number_text(jumps.longest, 3))}),
+        {worded("{1} m3 ({2} %) would leave the ground at E {3}, N {4}: set numerics.scheme = default",
+                {numeral(grouped(jumps.volume)), percent(jumps.volume / result.volume_entered),
+                 numeral(grouped(jumps.from.x)), numeral(grouped(jumps.from.y))}),
          true, jumps.from});
 }
 

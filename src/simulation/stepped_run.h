@@ -125,10 +125,10 @@ class EnergyWatch {
         volume_ = volume;
         known_ = true;
     }
-    /// None if nothing moved, or hardly (all work of gravity would give the whole flow less than k_hardly: of a pile
-    /// that settles, a fraction of almost nothing), or if the model does not report energy.
+    /// None if nothing moved, or hardly (all work of gravity would give the whole flow less than k_negligible: of a
+    /// pile that settles, a fraction of almost nothing), or if the model does not report energy.
     [[nodiscard]] std::optional<double> error() const {
-        if (!(turned_over_ > 0.5 * greatest_volume_ * k_hardly * k_hardly)) return std::nullopt;
+        if (!(turned_over_ > 0.5 * greatest_volume_ * k_negligible * k_negligible)) return std::nullopt;
         const auto less = [](const Count& a, const Count& b) { return a.rise < b.rise; };
         return std::min_element(std::begin(counts_), std::end(counts_), less)->rise / turned_over_;
     }
@@ -142,7 +142,7 @@ class EnergyWatch {
 
   private:
     static constexpr double k_same_volume = 1e-9;  ///< thousand times the rounding of the sums, less than any particle
-    static constexpr double k_hardly = 3;          ///< [m/s]: a mean fall of 0.5 m
+    static constexpr double k_negligible = 3;      ///< [m/s]: a mean fall of 0.5 m
 
     /// E, counted in one way [m5/s2].
     struct Count {

@@ -385,9 +385,7 @@ int cmd_check(const Arguments& arguments) {
     if (trial && trial->path) log.warn_all(path_ground_warnings(*trial->path));
     constexpr double k_left = 0.01;  // coarse cells lose a little more at edges
     if (trial && trial->meets_gap)
-        log.warn(
-            worded("the trial ends at ground without elevation, as the run will: use a larger DTM, or set "
-                   "terrain.nodata-policy to wall or fill"));
+        log.warn(worded("the trial reached cells without elevation: use a larger DTM or terrain.nodata-policy"));
     if (trial && trial->left > k_left)
         log.warn(worded("{1} % of the volume leaves the DTM in the trial: use a larger DTM or terrain.bounds",
                         {numeral(number_text(100 * trial->left, 2))}));

@@ -139,7 +139,7 @@ void question_raster(std::vector<double> thicknesses, double width, RunLog& log)
     const double greatest = *std::max_element(thicknesses.begin(), thicknesses.end()),
                  median = percentile(std::move(thicknesses), 0.5);
     if (greatest > k_over_median * median)
-        log.warn(worded("release up to {1} m thick, half of it under {2} m: look for values that mean no data",
+        log.warn(worded("release up to {1} m thick, median {2} m: declare no data in its raster",
                         {numeral(number_text(greatest, 3)), numeral(number_text(median, 3))}));
     if (!(greatest > std::max(k_thick, k_of_width * width))) return;
     const bool is_mark = std::abs(greatest - 255) < 1 || std::abs(greatest - 999) < 1;  // of no data

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/ground_doubts.h"
+#include "analysis/ground_statistics.h"
 #include "app/input/flow_window.h"
 #include "app/text/number_text.h"
 #include "gis/crs/crs_transform.h"
@@ -157,22 +158,27 @@ Sentence whole_percent(double share) {
 }
 
 /// Elevations in feet that are read as metres make a slope of 17 degrees one of 45.
-void tell_of_unit(double slope, const Prepared& prepared, RunLog& log) {
-    constexpr double k_steep = 42, k_foot = 0.3048;  // degrees; metres
+void tell_of_unit(const LookedAt& working, const Prepared& prepared, RunLog& log) {
+    constexpr double k_carries = 10, k_steep = 42, k_foot = 0.3048;  // degrees, degrees, metres
     const gis::RasterInfo& file = prepared.ground.file;
-    const double degrees = slope * 180 / std::numbers::pi;
-    if (degrees < k_steep || file.vertical_unit_stated || prepared.spec.terrain.vertical_unit != "auto") return;
-    log.warn(worded(
-        "DTM {1} states no unit of its elevations, and half of its slopes are over {2} degrees; in feet, over {3}. "
-        "Set terrain.vertical-unit",
-        {last_part(file.path), numeral(number_text(degrees, 2)),
-         numeral(number_text(std::atan(k_foot * std::tan(slope)) * 180 / std::numbers::pi, 2))}));
+    if (file.vertical_unit_stated || prepared.spec.terrain.vertical_unit != "auto") return;
+    std::vector<double> slopes;
+    working.path.values.for_each_stored([&](std::size_t cell, double on) {
+        const auto at = static_cast<std::int64_t>(cell), columns = working.path.grid.columns;
+        if (const double slope = on > 0 ? slope_deg(working.ground(), at / columns, at % columns) : 0;
+            slope > k_carries)
+            slopes.push_back(slope);
+    });
+    const double median = percentile(std::move(slopes), 0.5);
+    if (!(median > k_steep)) return;
+    const double in_feet = std::atan(k_foot * std::tan(median * std::numbers::pi / 180)) * 180 / std::numbers::pi;
+    log.warn(worded("DTM {1}, unit not stated: slopes of {2} degrees ({3} if in feet). Set terrain.vertical-unit",
+                    {last_part(file.path), numeral(number_text(median, 2)), numeral(number_text(in_feet, 2))}));
 }
 
 void tell(const GroundDoubts& doubts, const LookedAt& here, Prepared& prepared, bool by_frana, RunLog& log) {
     const double working = prepared.scene.grid.cell_size;
     const std::string file = last_part(prepared.ground.file.path);
-    tell_of_unit(doubts.slope, prepared, log);
     if (const auto& blocks = doubts.blocks) {
         const double side = std::min(blocks->columns, blocks->rows);
         // Working cells as large as the blocks are right again.
@@ -228,6 +234,7 @@ void doubt_ground(const SceneReading& reading, Prepared& prepared, RunLog& log) 
     std::optional<LookedAt> own;
     if (!by_frana) own = on_own_cells(reading, prepared, working, to_working);
     const LookedAt& here = own ? *own : working;
+    tell_of_unit(working, prepared, log);
     tell(ground_doubts(here.ground(), here.path, here.cell_size), here, prepared, by_frana, log);
 }
 

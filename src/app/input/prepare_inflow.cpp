@@ -205,7 +205,7 @@ void warn_of_late_volume(const std::vector<HydrographPoint>& points, double end,
         late += (1 - from) * length * (at + b.discharge) / 2;
     }
     if (late > k_late * all)
-        log.warn(worded("{1} % of the hydrograph's {2} m3 would flow in after time.end = {3} s: raise it",
+        log.warn(worded("{1} % of the hydrograph's {2} m3 flow in after time.end = {3} s",
                         {numeral(number_text(100 * late / all, 2)), numeral(grouped(all)), numeral(grouped(end))}));
 }
 

@@ -80,7 +80,7 @@ TEST_F(GroundDoubts, FeetAreToldOnAGentleSlopeWhereNoUnitIsStated) {
         };
     };
     write_grid("bed", 10, ramp(17, 0.3048));
-    expect_words(doubts(), {"DTM bed.asc states no unit", "over 45 degrees; in feet, over 17"});
+    expect_words(doubts(), {"DTM bed.asc, unit not stated", "slopes of 45 degrees (17 if in feet)"});
     EXPECT_EQ(doubts({"terrain.vertical-unit=foot"}), "");
     EXPECT_EQ(doubts({"terrain.vertical-unit=metre"}), "") << "the user's word";
     write_grid("bed", 10, ramp(38, 1));

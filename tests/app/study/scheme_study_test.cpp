@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scheme of a study's members, and its check by the other one.
+#include "gis/raster/raster_out.h"
 #include "study/tiny_study.h"
 
 namespace frana::test {
@@ -39,6 +40,9 @@ TEST_F(Ensemble, TwoMembersAreComputedAgainByTheOtherScheme) {
     EXPECT_EQ(summary["warnings"].dump().find("% from particles: take study.scheme = default") != std::string::npos,
               most > 0.1)
         << most;
+    EXPECT_EQ(
+        gis::read_raster_text(path("out/hit_count.tif")).metadata["DOUBTS"].find("from particles") != std::string::npos,
+        most > 0.1);
     EXPECT_NE(read_text(path("out/study.ini")).find("\nscheme = finite-volume\n"), std::string::npos);
     EXPECT_NE(read_text(path("out/scene.ini")).find("\nscheme = finite-volume\n"), std::string::npos);
     EXPECT_NE(read_text(path("out/hit_count.tif")).find("name=\"SCHEME\""), std::string::npos);

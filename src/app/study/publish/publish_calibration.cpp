@@ -456,6 +456,8 @@ void check_schemes(const CalibrationInput& input, const CalibrationRuns& runs, i
         if (!check) continue;
         for (const Sentence& sentence : sentences_of(*check))
             result.assumed.push_back(worded("{1}: {2}", {input.spec().events[e].name, sentence}));
+        if (const auto doubt = warning_of(*check))
+            result.doubts.push_back(worded("{1}: {2}", {input.spec().events[e].name, *doubt}));
     }
 }
 

@@ -390,6 +390,14 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
     const Bounds map = computed_ground(input);
     if (!result.finished_at.empty()) {
         choose_grid(input, result, log);
+        // First of all: what it doubts stands on every map.
+        facts.scheme_check = check_scheme(input, candidates_of(result), study.threads);
+        if (facts.scheme_check)
+            for (const Sentence& sentence : sentences_of(*facts.scheme_check)) log.info(sentence.text());
+        if (const auto doubt = facts.scheme_check ? warning_of(*facts.scheme_check) : std::nullopt) {
+            log.warn_first({*doubt});
+            input.base.doubts.push_back(*doubt);
+        }
         if (input.reading.study.per_polygon()) {
             publish_unions(input, result, directory, facts);
         } else {
@@ -402,11 +410,6 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
             facts.median = median_member(result);
             if (facts.median) film_member(input, result, *facts.median, directory, log);
         }
-        facts.scheme_check = check_scheme(input, candidates_of(result), study.threads);
-        if (facts.scheme_check)
-            for (const Sentence& sentence : sentences_of(*facts.scheme_check)) log.info(sentence.text());
-        if (const auto warning = facts.scheme_check ? warning_of(*facts.scheme_check) : std::nullopt)
-            log.warn_first({*warning});
         write_member_outlines(input, result, directory.path(k_member_outlines));
         facts.exposure = publish_study_exposure(input, result, map, directory);
         if (facts.exposure) log.info(exposure_sentence(*facts.exposure, exposure_reached_by(input)));

@@ -118,8 +118,8 @@ std::optional<Sentence> warning_of(const SchemeCheck& check) {
         if (one.failure.empty())
             for (const std::size_t figure : {0, 1}) most = std::fmax(most, std::abs(one.difference(figure)));
     if (check.scheme != word_of(Scheme::finite_volume, k_schemes) || most <= k_alike) return std::nullopt;
-    return worded("run-out or area differ by {1} % from particles: take study.scheme = default or smaller cells",
-                  {percent(most)});
+    return worded("run-out or area differ {1} % from particles: take study.scheme = default",
+                  {numeral(number_text(100 * most, 2))});
 }
 
 std::vector<Sentence> sentences_of(const SchemeCheck& check) {
