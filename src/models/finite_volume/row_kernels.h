@@ -236,7 +236,9 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
     const auto climbs = L::none(upper > v.dry) & (towards > 0) & (0.5 * towards * towards > v.gravity * abs(dz));
     const Quad low = min(zb, zc), high = max(zb, zc), from_below = min(high, max(low, below.bed)),
                from_above = min(high, max(low, above.bed)), middle = 0.5 * (from_below + from_above);
-    const auto one_bed = (pours | climbs) & (0 > (from_above - from_below) * dz);
+    const Quad from = select(rises, at(c.normal), at(b.normal));
+    const auto runs = (select(rises, -at(c.speed), at(b.speed)) > 0) & (from * from > v.gravity * upper);
+    const auto one_bed = (pours | climbs) & ((0 > (from_above - from_below) * dz) | (runs & (abs(dz) > max(hb, hc))));
     const Quad bed_below = select(one_bed, middle, from_below), bed_above = select(one_bed, middle, from_above),
                top = max(bed_below, bed_above);
     const Quad depth_below = max(zero, below.depth - (top - bed_below)),
