@@ -21,11 +21,12 @@ struct Cells {
     double *slowed_x, *slowed_y;                               ///< change of w by friction in half a step [m/s]
     double *pull_x, *pull_y, *bound;                           ///< momentum after a step without friction, and what
                                                                ///< friction stops in it, per time [m2/s2]
-    double* held;                                              ///< 1: friction keeps the cell at rest
-    double* head;                                              ///< greatest energy over weight, times g [m2/s2]
-    double* start;                                             ///< speed before the step; negative: dry [m/s]
-    double* before;                                            ///< depth before the step [m]
-    double *max_depth, *max_speed, *arrival_plus_1;            ///< Maxima
+    double* spare;                                   ///< speed that friction could also stop in half a step [m/s]
+    double* held;                                    ///< 1: friction keeps the cell at rest
+    double* head;                                    ///< greatest energy over weight, times g [m2/s2]
+    double* start;                                   ///< speed before the step; negative: dry [m/s]
+    double* before;                                  ///< depth before the step [m]
+    double *max_depth, *max_speed, *arrival_plus_1;  ///< Maxima
     std::int64_t stride;
 };
 
@@ -54,8 +55,8 @@ inline constexpr double k_wall_height = 1e4;  ///< [m], more than any flow climb
 /// A row of cells in the direction of a sweep: h, velocity in map view normal to the faces, along the bed normal and
 /// tangential, g', its effect on the normal velocity along the bed, elevation, 1 where held or dry.
 struct CellRow {
-    double *depth, *speed, *normal, *tangential, *weight, *drive, *bed, *closed;
-    static constexpr int k_arrays = 8;
+    double *depth, *speed, *normal, *tangential, *weight, *drive, *bed, *closed, *spare;
+    static constexpr int k_arrays = 9;
 };
 
 /// Fluxes through a row of faces; pressure over g' and height of the bed at the face above that of the cell, as seen

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/finite_volume/jumps.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -48,7 +49,11 @@ void find_jumps(State& s, const Laws& laws, double dt, ThreadPool& pool) {
                     k - static_cast<std::size_t>(std::lround(motion.v / speed) * s.nodes.stride() +
                                                  std::lround(motion.u / speed));
                 const double thrown = jump.fraction - jump_from(s, laws, before).fraction;
-                if (thrown > 0) found[n].add(thrown * s.depth[k] * speed * time * s.nodes.cell_size(), jump);
+                // The cell of an edge has the steep ground behind it for its slope, so that its speed in map view is
+                // small: what passes it is what arrives.
+                const CellMotion arrives = motion_of(s, laws, before);
+                const double flux = std::max(s.depth[k] * speed, s.depth[before] * std::hypot(arrives.u, arrives.v));
+                if (thrown > 0) found[n].add(thrown * flux * time * s.nodes.cell_size(), jump);
             });
     });
     for (const JumpStatistics& jumps : found) s.jumps.merge(jumps);

@@ -128,6 +128,7 @@ FRANA_INLINE void prepare_cells(const Cells& c, std::size_t k, std::size_t n, co
     put(h * (u.x / v.dt + drive(fall_x, v.gravity_x, x, 1)), c.pull_x);
     put(h * (u.y / v.dt + drive(fall_y, v.gravity_y, y, c.stride)), c.pull_y);
     put(select(wet, stop.bound, zero), c.bound);
+    put(select(wet, max(zero, half * stop.bound * root / some - driven), zero), c.spare);
     constexpr double k_slow = 4;
     const Number slow = k_slow * stop.speed;
     // A free side pushes by g' h^2 / 2: what friction on two cells cannot stop collapses, however even its sides are.
@@ -176,6 +177,7 @@ FRANA_INLINE void read_cells(const Cells& c, std::size_t k, std::size_t q, std::
     put(weight * (1 + slope * slope / (root + 1)), row.drive);
     put(at(c.bed), row.bed);
     put(select(wet, held, Quad(1.0)), row.closed);
+    put(select(held > 0.5, Quad(1e9), at(c.spare)), row.spare);
 }
 
 struct Side {
@@ -263,7 +265,9 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
                square = ahead * abs(ahead), waves = v.wave_factor * select(gives, at(b.weight), at(c.weight)) * has;
     const Quad slower = select(square > -waves, Quad(0.49), select(square > -4 * waves, Quad(0.15), Quad(0.01)));
     const Quad most = select(square > waves, select(square > 4 * waves, Quad(0.98), Quad(0.84)), slower);
-    const Quad given = min(one, most * v.cell_size / v.dt * has / max(abs(flux), Quad(1e-300)));
+    // Friction that is left over in a cell also stops what only the difference at the face would move.
+    const Quad least = max(abs(flux), Quad(1e-300)), spare = has * select(gives, at(b.spare), at(c.spare));
+    const Quad given = min(max(zero, 1 - spare / least), most * v.cell_size / v.dt * has / least);
     const Quad mass = given * flux;
     const Quad push = 0.5 * inverse * (depth_above * depth_above - depth_below * depth_below);
     const auto put = [&](Quad value, double* where) FRANA_INLINE_LAMBDA { L::store(value, where + q, n); };

@@ -25,8 +25,8 @@ class Workspace {
         if (strip.work.size() < arrays * width_) strip.work.resize(arrays * width_);
         next_ = strip.work.data();
         for (CellRow& row : rows)
-            for (double** array :
-                 {&row.depth, &row.speed, &row.normal, &row.tangential, &row.weight, &row.drive, &row.bed, &row.closed})
+            for (double** array : {&row.depth, &row.speed, &row.normal, &row.tangential, &row.weight, &row.drive,
+                                   &row.bed, &row.closed, &row.spare})
                 *array = take();
         for (FaceRow& row : faces)
             for (double** array : {&row.mass, &row.normal, &row.tangential, &row.pressure_below, &row.pressure_above,
@@ -49,8 +49,8 @@ class Workspace {
 };
 
 CellRow moved(const CellRow& row, std::ptrdiff_t by) {
-    return {row.depth + by,  row.speed + by, row.normal + by, row.tangential + by,
-            row.weight + by, row.drive + by, row.bed + by,    row.closed + by};
+    return {row.depth + by, row.speed + by, row.normal + by, row.tangential + by, row.weight + by,
+            row.drive + by, row.bed + by,   row.closed + by, row.spare + by};
 }
 FaceRow moved(const FaceRow& row, std::ptrdiff_t by) {
     return {row.mass + by,           row.normal + by,     row.tangential + by, row.pressure_below + by,

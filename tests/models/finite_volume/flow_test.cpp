@@ -256,11 +256,14 @@ Thrown thrown(double cliff, double roughness) {
 
 // Where a half of the flow or more leaves the ground it differs afterwards, and what stays lies deep before the edge.
 TEST(FiniteVolumes, TellOfAboutAsMuchAsACliffThrowsOfParticles) {
-    for (const double cliff : {20.0, 40.0, 60.0, 100.0}) {
+    for (const double cliff : {20.0, 40.0, 60.0}) {
         const Thrown volume = thrown(cliff, 0);
         EXPECT_GT(volume.by_particles, 0.1) << cliff;
-        EXPECT_NEAR(volume.by_cells, volume.by_particles, 0.35 * volume.by_particles) << cliff;
+        EXPECT_NEAR(volume.by_cells, volume.by_particles, 0.25 * volume.by_particles) << cliff;
     }
+    // The cell of an edge has the mean slope of both sides, here of 85 degrees, which holds the flow back.
+    const Thrown high = thrown(100, 0);
+    EXPECT_NEAR(high.by_cells, high.by_particles, 0.45 * high.by_particles);
 }
 
 TEST(FiniteVolumes, TellOfNothingOnSlopesThatThrowNothing) {

@@ -41,9 +41,9 @@ struct Ground {
         cells.curvature_xx = take(0.1, 0);
         cells.curvature_xy = take(0.1, 0);
         cells.curvature_yy = take(0.1, 0);
-        for (double** field :
-             {&cells.weight, &cells.slowed_x, &cells.slowed_y, &cells.pull_x, &cells.pull_y, &cells.bound, &cells.held,
-              &cells.head, &cells.start, &cells.max_depth, &cells.max_speed, &cells.arrival_plus_1})
+        for (double** field : {&cells.weight, &cells.slowed_x, &cells.slowed_y, &cells.pull_x, &cells.pull_y,
+                               &cells.bound, &cells.spare, &cells.before, &cells.held, &cells.head, &cells.start,
+                               &cells.max_depth, &cells.max_speed, &cells.arrival_plus_1})
             *field = take(0, 0);
         cells.stride = k_stride;
     }
@@ -74,13 +74,14 @@ TEST(RowKernels, GiveTheSameBitsInEverySetOfInstructions) {
         std::vector<double> work(30 * 64);
         const auto array = [&](std::size_t a) { return work.data() + 64 * a; };
         for (const bool along_y : {false, true}) {
-            const CellRow row{array(0), array(1), array(2), array(3), array(4), array(5), array(6), array(7)};
+            const CellRow row{array(0), array(1), array(2), array(3), array(4),
+                              array(5), array(6), array(7), array(15)};
             const std::size_t before = k_first - 2;
             kernels.read_row(c, before, k_count + 4, c.depth + before, c.qx + before, c.qy + before, along_y, v.dry,
                              row);
             const auto moved = [&](std::size_t by) {
-                return CellRow{row.depth + by,  row.speed + by, row.normal + by, row.tangential + by,
-                               row.weight + by, row.drive + by, row.bed + by,    row.closed + by};
+                return CellRow{row.depth + by, row.speed + by, row.normal + by, row.tangential + by, row.weight + by,
+                               row.drive + by, row.bed + by,   row.closed + by, row.spare + by};
             };
             const FaceRow faces{array(8), array(9), array(10), array(11), array(12), array(13), array(14)};
             kernels.faces(moved(0), moved(1), moved(2), moved(3), k_count + 1, v, faces);
