@@ -57,6 +57,10 @@ Sentence volume_that_moved(double fraction) {
 
 /// Warns of ground without elevation that the flow came to: it may have gone farther.
 void warn_of_gaps(const RunResult& result, const Scene& scene, Warnings& warnings) {
+    if (const GapContact wall = gap_contact(result, scene, NodataPolicy::wall); wall.cells > 0)
+        warnings.push_back({worded("terrain.nodata-policy = wall holds back flow up to {1} m deep, on {2} cells",
+                                   {numeral(number_text(wall.depth, 3)), numeral(std::to_string(wall.cells))}),
+                            false});
     const GapContact gap = gap_contact(result, scene);
     if (gap.cells == 0 || result.stop_reason == StopReason::reached_no_data) return;
     warnings.push_back(

@@ -140,6 +140,7 @@ TEST_F(GroundDoubts, CopiedCellsAreToldWithTheirFactorAndFranasOwnResamplingIsRi
 
 TEST_F(GroundDoubts, CopiedCellsOfOtherFactorsAreTold) {
     for (const auto& [coarse, words] : {std::pair{20.0, "blocks of 2 x 2"},
+                                        {12.5, "blocks of 1.2 x 1.2"},
                                         {15.0, "blocks of 1.5 x 1.5"},
                                         {33.0, "blocks of 3.3 x 3.3"},
                                         {90.0, "blocks of 9 x 9"}}) {
@@ -204,6 +205,46 @@ TEST_F(GroundDoubts, WhatIsNotGroundIsToldWithItsPlace) {
         const bool is_zero = one.words.size() == 2 && one.words.front().find("are 0") != std::string::npos;
         EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), is_zero ? 2 : 1) << told;
     }
+}
+
+// Trees in the path alone, on a tenth of what can be reached; beside it they change nothing.
+TEST_F(GroundDoubts, TreesAreSoughtWhereTheFlowComes) {
+    std::mt19937 generator(1);
+    std::uniform_real_distribution<double> chance(0, 1);
+    const auto trees = [&](bool in_path) -> Elevation {
+        return [&, in_path](double x, double y) {
+            const bool here = std::abs(y - 450) < 90;
+            return waves(x, y) + (here == in_path && chance(generator) < 0.4 ? 5 + 15 * chance(generator) : 0);
+        };
+    };
+    write_grid("bed", 10, trees(true));
+    expect_words(doubts(), {"% of the path stands out by about", "bare ground"});
+    write_grid("bed", 10, trees(false));
+    EXPECT_EQ(doubts(), "");
+}
+
+TEST_F(GroundDoubts, HousesOfASurfaceModelAreTold) {
+    const auto with_houses = [](int count) -> Elevation {
+        return [count](double x, double y) {
+            const double i = std::floor((x - 420) / 60), in = x - 420 - 60 * i;  // a row of them down the path
+            const bool inside = i >= 0 && i < count && in < 20 && std::abs(y - 440) < 15;
+            return waves(x, y) + (inside ? 7 - 0.15 * std::abs(y - 440) : 0);
+        };
+    };
+    write_grid("bed", 5, with_houses(5));
+    expect_words(doubts(), {"DTM bed.asc: 5 houses of about", "take bare ground"});
+    write_grid("bed", 5, with_houses(2));
+    EXPECT_EQ(doubts(), "");
+}
+
+TEST_F(GroundDoubts, AHillshadeIsTold) {
+    write_grid("bed", 10, [](double x, double y) { return std::clamp(std::round(waves(x, y) / 2), 0.0, 255.0); });
+    write("bytes.vrt", "<VRTDataset rasterXSize=\"210\" rasterYSize=\"90\"><SRS>EPSG:32632</SRS><GeoTransform>" +
+                           std::to_string(k_west) + ", 10, 0, " + std::to_string(k_south + k_high) +
+                           ", 0, -10</GeoTransform><VRTRasterBand dataType=\"Byte\" band=\"1\"><SimpleSource>"
+                           "<SourceFilename relativeToVRT=\"1\">bed.asc</SourceFilename></SimpleSource>"
+                           "</VRTRasterBand></VRTDataset>");
+    expect_words(doubts({"terrain.dtm=bytes.vrt"}), {"DTM bytes.vrt has whole numbers from 0 to 255", "hillshade"});
 }
 
 // A warning that comes without a fault is none.
