@@ -199,19 +199,37 @@ struct Rhythm {
         for (std::int64_t top = 0; top + side < z.count(); top += side * stride) {
             for (std::int64_t first = 0; first + side < z.length(); first += side) {
                 if (!(on(top + side / 2, first + side / 2) > 0)) continue;
-                std::vector<double> rises(static_cast<std::size_t>(period));
-                for (std::int64_t line = top; line < top + side; ++line)
-                    for (std::int64_t i = first; i < first + side; ++i)
-                        rises[static_cast<std::size_t>(i % period)] += std::abs(z(line, i + 1) - z(line, i));
-                const double mean = std::accumulate(rises.begin(), rises.end(), 0.0) / static_cast<double>(period);
-                if (!(mean * static_cast<double>(period) > k_gentlest * cell_size * static_cast<double>(side * side)))
-                    continue;
+                // A cliff, a pit or a house is in one quarter.
+                const std::int64_t across = side / 2, along = (side / period + 1) / 2 * period;
+                const Most quarters[]{most_at(z, top, across, first, along, period),
+                                      most_at(z, top, across, first + along, side - along, period),
+                                      most_at(z, top + across, side - across, first, along, period),
+                                      most_at(z, top + across, side - across, first + along, side - along, period)};
+                double rise = 0;
+                for (const Most& one : quarters) rise += one.rise;
+                if (!(rise > k_gentlest * cell_size * static_cast<double>(side * side))) continue;
                 ++rising;
-                const auto [least, most] = std::minmax_element(rises.begin(), rises.end());
-                // Real ground has 0.8 to 1.2, copies that were interpolated 0 to 0.25 and above 2.5.
-                stepped += *least<0.5 * mean&& * most> 1.8 * mean ? 1 : 0;
+                const auto as_first = [&](const Most& one) { return one.place == quarters[0].place; };
+                stepped += quarters[0].place >= 0 && std::all_of(quarters + 1, quarters + 4, as_first) ? 1 : 0;
             }
         }
+    }
+    /// The place of the period that has most of the rise, -1 if it has hardly more than others; and the whole rise.
+    struct Most {
+        std::int64_t place = -1;
+        double rise = 0;
+    };
+    static Most most_at(const Lines& z, std::int64_t top, std::int64_t side, std::int64_t first, std::int64_t length,
+                        std::int64_t period) {
+        std::vector<double> rises(static_cast<std::size_t>(period));
+        for (std::int64_t line = top; line < top + side; ++line)
+            for (std::int64_t i = first; i < first + length; ++i)
+                rises[static_cast<std::size_t>(i % period)] += std::abs(z(line, i + 1) - z(line, i));
+        const double rise = std::accumulate(rises.begin(), rises.end(), 0.0), mean = rise / static_cast<double>(period);
+        const auto [least, most] = std::minmax_element(rises.begin(), rises.end());
+        // Real ground has 0.8 to 1.2, copies that were interpolated 0 to 0.25 and above 2.5.
+        if (*least > 0.5 * mean || *most < 1.8 * mean) return {-1, rise};
+        return {most - rises.begin(), rise};
     }
     /// Too few windows to tell, as across a slope.
     [[nodiscard]] bool is_level() const { return rising < 4; }
@@ -356,15 +374,8 @@ Patch patch_at(const Raster& ground, std::size_t start, double join, double deep
     return patch;
 }
 
-constexpr double k_most_of_rim = 0.8;  // of a patch, beyond the limit
-
-bool stands_free(const Patch& patch) {
-    return patch.cells.size() >= 2 &&  // not a needle
-           static_cast<double>(patch.beyond) >= k_most_of_rim * static_cast<double>(patch.around);
-}
-
 void find_pits(const Raster& ground, const Path& path, double cell_size, GroundDoubts& doubts) {
-    constexpr double k_deep = 10, k_deep_cells = 1.5;
+    constexpr double k_deep = 10, k_deep_cells = 1.5, k_most_of_rim = 0.8;
     const double deep = std::max(k_deep, k_deep_cells * cell_size);
     std::vector<char> seen(Runs::cells(ground));
     std::map<double, GroundDoubts::Pits> by_value;
@@ -373,7 +384,8 @@ void find_pits(const Raster& ground, const Path& path, double cell_size, GroundD
         if (seen[cell] || column == 0) continue;
         if (!(ground.values[cell - 1] > ground.values[cell] + deep)) continue;
         const Patch patch = patch_at(ground, cell, 0, deep, seen);
-        if (!stands_free(patch)) continue;
+        if (patch.cells.size() < 2) continue;  // a needle
+        if (static_cast<double>(patch.beyond) < k_most_of_rim * static_cast<double>(patch.around)) continue;
         GroundDoubts::Pits& pits = by_value[ground.values[cell]];
         if (pits.cells == 0) pits = {ground.values[cell], 0, 0, centre_of(ground.grid, cell)};
         pits.cells += static_cast<std::int64_t>(patch.cells.size());
@@ -385,26 +397,28 @@ void find_pits(const Raster& ground, const Path& path, double cell_size, GroundD
     }
 }
 
-/// Finds houses of a surface model: roofs above walls on all sides.
+/// Finds houses of a surface model: roofs above walls on all sides. Crags are fewer.
 void find_houses(const Raster& ground, const Path& path, double cell_size, GroundDoubts& doubts) {
-    constexpr double k_wall = 2.5, k_wall_cells = 0.5, k_roof = 0.8;  // [m], of a cell, of a wall
-    constexpr double k_least_area = 40, k_most_area = 3000;           // [m2]
+    constexpr double k_wall = 3, k_roof = 0.6, k_least_share = 0.005;  // [m], of a wall, of the path
+    constexpr double k_least_area = 60, k_most_area = 3000;            // [m2]
     constexpr std::int64_t k_least = 3;
-    const double wall = std::max(k_wall, k_wall_cells * cell_size);
     std::vector<char> seen(Runs::cells(ground));
     GroundDoubts::Houses houses;
     std::vector<double> heights;
+    std::int64_t covered = 0;
     for (const std::size_t cell : path.cells()) {
         const auto column = static_cast<std::int64_t>(cell) % ground.grid.columns;
         const double height = column > 0 ? ground.values[cell] - ground.values[cell - 1] : 0;
-        if (seen[cell] || !(height > wall)) continue;
-        const Patch patch = patch_at(ground, cell, k_roof * wall, -wall, seen);
+        if (seen[cell] || !(height > k_wall)) continue;
+        const Patch patch = patch_at(ground, cell, k_roof * k_wall, -k_wall, seen);
         const double area = static_cast<double>(patch.cells.size()) * cell_size * cell_size;
-        if (!stands_free(patch) || area < k_least_area || area > k_most_area) continue;
+        if (patch.cells.size() < 4 || patch.beyond < patch.around || area < k_least_area || area > k_most_area)
+            continue;
+        covered += static_cast<std::int64_t>(patch.cells.size());
         heights.push_back(height);
         if (houses.count++ == 0) houses.place = centre_of(ground.grid, cell);
     }
-    if (houses.count < k_least) return;
+    if (houses.count < k_least || fraction(covered, path.size()) < k_least_share) return;
     houses.height = percentile(std::move(heights), 0.5);
     doubts.houses = houses;
 }
@@ -429,7 +443,7 @@ double height_of(const Raster& ground, std::int64_t row, std::int64_t column) {
 }
 
 void find_rough(const Raster& ground, const Path& path, double cell_size, GroundDoubts& doubts) {
-    constexpr double k_least_height = 1.5, k_height_cells = 0.25, k_least_share = 0.1;
+    constexpr double k_least_height = 1.5, k_height_cells = 0.25, k_least_share = 0.06;  // crags of lava have 0.03
     const double limit = std::max(k_least_height, k_height_cells * cell_size);
     std::vector<double> heights;
     std::int64_t looked_at = 0;
@@ -451,8 +465,9 @@ void find_rough(const Raster& ground, const Path& path, double cell_size, Ground
 }
 
 /// The part of the path that the flow takes: where water from its highest cells runs, over what dams it up, and as wide
-/// to both sides as the mass where it starts. The start is marked with 2.
-Raster taken_path(const Raster& ground, const Raster& path) {
+/// to both sides as the mass where it starts. The start is marked with 2. Finds narrow dams across it.
+Raster taken_path(const Raster& ground, const Raster& path, double cell_size, GroundDoubts& doubts) {
+    constexpr double k_dam = 5, k_narrow = 30, k_narrow_cells = 2.5;  // [m]
     const GridSpec& grid = ground.grid;
     std::set<std::pair<double, std::size_t>> front;
     Raster taken(grid), wide(grid);
@@ -472,9 +487,22 @@ Raster taken_path(const Raster& ground, const Raster& path) {
                  ++c)
                 visit(ground.index(r, c));
     };
+    const double narrow = std::max(k_narrow / cell_size, k_narrow_cells) * grid.cell_size;  // of the grid's unit
+    double floor = HUGE_VAL, level = HUGE_VAL;  // of the water where it is dammed up
+    Point crest;
     // The lowest first, as water rises: it leaves the path at its lowest end.
     for (bool ends = false; !front.empty() && !ends;) {
-        const std::size_t cell = front.extract(front.begin()).value().second;
+        const auto [z, cell] = front.extract(front.begin()).value();
+        const Point here = centre_of(grid, cell);
+        if (z < floor) {
+            const bool is_narrow = std::hypot(here.x - crest.x, here.y - crest.y) <= narrow;
+            if (is_narrow && level - floor > std::max(k_dam, doubts.dam ? doubts.dam->height : 0))
+                doubts.dam = {level - floor, crest};
+            floor = level = z;
+        } else if (z > level) {
+            level = z;
+            crest = here;
+        }
         around(cell, side, [&](std::size_t i) { wide.values[i] = path.values[i] > 0 ? 1 : 0; });
         around(cell, 1, [&](std::size_t i) {
             if (std::isnan(ground.values[i])) return;
@@ -497,10 +525,11 @@ GroundDoubts ground_doubts(const Raster& ground, const Raster& path, double cell
     find_pits(ground, on, cell_size, doubts);
     if (!doubts.terraces) find_blurred_blocks(ground, path, on.size(), cell_size, doubts);
     if (doubts.blocks || doubts.terraces) return doubts;  // whose steps look like seams and roughness
+    const Path taken(taken_path(ground, path, cell_size, doubts));
     for (const bool along_rows : {true, false})
-        if (!doubts.seam) find_seam(ground, path, cell_size, along_rows, doubts);
-    const Path taken(taken_path(ground, path));
+        if (!doubts.seam && !doubts.dam) find_seam(ground, path, cell_size, along_rows, doubts);
     find_rough(ground, taken, cell_size, doubts);
+    if (doubts.rough) doubts.dam.reset();  // of trees
     if (!doubts.rough) find_houses(ground, taken, cell_size, doubts);
     return doubts;
 }

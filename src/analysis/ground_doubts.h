@@ -46,12 +46,18 @@ struct GroundDoubts {
         std::int64_t count = 0;  ///< three at least
         Point place;             ///< of the first
     };
+    /// A narrow dam across the path: a road or a bridge over what carries water.
+    struct Dam {
+        double height = 0;  ///< that water must rise [m]
+        Point place;
+    };
     std::optional<Blocks> blocks;
     std::optional<Terraces> terraces;
     std::optional<Seam> seam;
     std::optional<Pits> pits;
     std::optional<Rough> rough;
     std::optional<Houses> houses;
+    std::optional<Dam> dam;
 };
 
 inline constexpr double k_terrace_step = 0.25;  ///< [m]

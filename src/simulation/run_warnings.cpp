@@ -382,7 +382,7 @@ std::vector<RunWarning> run_warnings(const RunResult& result, const Scene& scene
                  {numeral(grouped(shown)), numeral(grouped(result.volume_final))}),
              false});
     }
-    if (result.volume_left > 0) {
+    if (left_ground(result)) {
         warnings.push_back(
             {worded(
                  "{1} m3 left the computed ground ({2} % of all volume that came in): the map does not show its full "

@@ -161,10 +161,11 @@ void question_mean(const ReleaseInput& release, const TerrainInput& ground, RunL
                              greatest = std::max(greatest, std::as_const(ground.terrain).at(row, column));
                          });
         const bool is_elevation = thickness >= least && thickness <= greatest;
+        const bool is_mm = thickness / 100 > k_mean_of_width * width;
         log.warn(worded(is_elevation ? worded("release {1} m thick: that is the elevation of its ground, no thickness")
-                                     : worded("release {1} m thick, {2} m wide: if in cm, write {3}"),
+                                     : worded("release {1} m thick, {2} m wide: if in {4}, write {3}"),
                         {numeral(number_text(thickness, 4)), numeral(number_text(width, 3)),
-                         numeral(number_text(thickness / 100, 3))}));
+                         numeral(number_text(thickness / (is_mm ? 1000 : 100), 3)), is_mm ? "mm" : "cm"}));
         return;
     }
 }

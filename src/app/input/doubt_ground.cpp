@@ -215,6 +215,9 @@ void tell(const GroundDoubts& doubts, const LookedAt& here, Prepared& prepared, 
         prepared.doubts.push_back(worded("{1} pits of {2} m in the DTM's path: run-out unreliable",
                                          {numeral(grouped(pits->cells)), numeral(number_text(pits->value, 6))}));
     }
+    if (const auto& dam = doubts.dam)
+        log.warn(worded("DTM {3}: a dam of {1} m across the path, at {2}: open bridges and culverts",
+                        {numeral(number_text(dam->height, 2)), here.at(dam->place), file}));
     if (const auto& houses = doubts.houses)
         log.warn(worded(
             "DTM {4}: {1} houses of about {2} m in the path, first at {3}: take bare ground",

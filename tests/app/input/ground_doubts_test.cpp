@@ -140,7 +140,7 @@ TEST_F(GroundDoubts, CopiedCellsAreToldWithTheirFactorAndFranasOwnResamplingIsRi
 
 TEST_F(GroundDoubts, CopiedCellsOfOtherFactorsAreTold) {
     for (const auto& [coarse, words] : {std::pair{20.0, "blocks of 2 x 2"},
-                                        {12.5, "blocks of 1.2 x 1.2"},
+                                        {12.5, "equal cells"},
                                         {15.0, "blocks of 1.5 x 1.5"},
                                         {33.0, "blocks of 3.3 x 3.3"},
                                         {90.0, "blocks of 9 x 9"}}) {
@@ -167,6 +167,26 @@ TEST_F(GroundDoubts, CopiedCellsAreToldThoughTheyWereInterpolatedOrHaveNoise) {
         const std::string told = doubts();
         expect_words(told, {"DTM bed.asc: steps every 3 cells"});
         EXPECT_EQ(told.find("Trees"), std::string::npos) << told;
+    }
+}
+
+// Then brought to another coordinate system: the blocks lie askew.
+TEST_F(GroundDoubts, CopiedCellsAreToldThoughTheyLieAskew) {
+    const auto turned = [](const Elevation& ground, bool interpolated) -> Elevation {
+        return [=](double x, double y) {
+            const double angle = 2.5 * std::numbers::pi / 180, u = x * std::cos(angle) - y * std::sin(angle),
+                         v = x * std::sin(angle) + y * std::cos(angle), west = std::floor(u / 10 - 0.5) * 10 + 5,
+                         south = std::floor(v / 10 - 0.5) * 10 + 5, a = (u - west) / 10, b = (v - south) / 10;
+            if (!interpolated) return ground(std::round(a) * 10 + west, std::round(b) * 10 + south);
+            return (1 - b) * ((1 - a) * ground(west, south) + a * ground(west + 10, south)) +
+                   b * ((1 - a) * ground(west, south + 10) + a * ground(west + 10, south + 10));
+        };
+    };
+    for (const bool interpolated : {false, true}) {
+        write_grid("bed", 10, turned(copied(30, waves), interpolated));
+        expect_words(doubts(), {interpolated ? "DTM bed.asc: steps every 3 cells" : "blocks of"});
+        write_grid("bed", 10, turned(waves, interpolated));
+        EXPECT_EQ(doubts(), "") << interpolated;
     }
 }
 
@@ -234,6 +254,18 @@ TEST_F(GroundDoubts, HousesOfASurfaceModelAreTold) {
     write_grid("bed", 5, with_houses(5));
     expect_words(doubts(), {"DTM bed.asc: 5 houses of about", "take bare ground"});
     write_grid("bed", 5, with_houses(2));
+    EXPECT_EQ(doubts(), "");
+}
+
+// A road on a fill, whose culvert the model does not have: the flow stops behind it. A hump of the ground is none.
+TEST_F(GroundDoubts, ADamAcrossTheChannelIsTold) {
+    const auto channel = [](double x, double y) { return bed(x, y) + 0.3 * std::abs(y - 450) + (2100 - x) * 0.1; };
+    write_grid("bed", 10, [&](double x, double y) { return channel(x, y) + (std::abs(x - 500) < 10 ? 12 : 0); });
+    expect_words(doubts(), {"DTM bed.asc: a dam of", "E 5274", "bridges and culverts"});
+    write_grid("bed", 10, channel);
+    EXPECT_EQ(doubts(), "");
+    write_grid("bed", 10,
+               [&](double x, double y) { return channel(x, y) + 20 * std::exp(-std::pow((x - 700) / 120, 2)); });
     EXPECT_EQ(doubts(), "");
 }
 

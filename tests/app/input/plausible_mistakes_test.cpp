@@ -79,10 +79,12 @@ TEST_F(Mistakes, UnusualValuesAreToldWithWhatWasMeant) {
              {{"release.thickness=250"}, {"250 m thick", "if in cm, write 2.5"}},
              {{"release.thickness=30"}, {"release 30 m thick, 44.7 m wide: if in cm, write 0.3"}},
              {{"release.thickness=50"}, {"if in cm, write 0.5"}},
+             {{"release.thickness=1500"}, {"if in mm, write 1.5"}},
              {{"release.thickness=80"}, {"if in cm, write 0.8"}},
-             {{"material.bed-friction=coulomb, cohesion", "material.cohesion=5"},
+             {{"material.bed-friction=coulomb, turbulence, cohesion", "material.cohesion=5"},
               {"material.cohesion = 5 is unusual: if it is in kPa, write 5000"}},
-             {{"material.bed-friction=coulomb, bingham", "material.yield-stress=2"},
+             {{"material.bed-friction=turbulence, bingham", "material.viscosity=50", "material.friction-angle=0",
+               "material.yield-stress=2"},
               {"material.yield-stress = 2 is unusual: if it is in kPa, write 2000"}},
              {{"material.surface-pressure=101325"}, {"material.surface-pressure = 101325 is unusual", "write 0"}},
              {{"entrainment.erosion=shear-stress", "entrainment.erodible-depth=150"},
@@ -99,7 +101,7 @@ TEST_F(Mistakes, UnusualValuesAreToldWithWhatWasMeant) {
     EXPECT_EQ(check({}).err, "");
     EXPECT_EQ(check({"release.velocity=10", "release.direction=90", "material.density=300"}).err, "");
     EXPECT_EQ(check({"release.velocity=10", "release.direction=30"}).err, "");
-    EXPECT_EQ(check({"material.bed-friction=coulomb, cohesion", "material.cohesion=200"}).err, "");
+    EXPECT_EQ(check({"material.bed-friction=coulomb, turbulence, cohesion", "material.cohesion=200"}).err, "");
 }
 
 TEST_F(Mistakes, ADecimalCommaIsNamed) {
