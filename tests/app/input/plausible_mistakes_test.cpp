@@ -83,7 +83,7 @@ TEST_F(Mistakes, UnusualValuesAreToldWithWhatWasMeant) {
              {{"release.thickness=80"}, {"if in cm, write 0.8"}},
              {{"material.bed-friction=coulomb, turbulence, cohesion", "material.cohesion=5"},
               {"material.cohesion = 5 is unusual: if it is in kPa, write 5000"}},
-             {{"material.bed-friction=turbulence, bingham", "material.viscosity=50", "material.friction-angle=0",
+             {{"material.bed-friction=coulomb, turbulence, bingham", "material.viscosity=50",
                "material.yield-stress=2"},
               {"material.yield-stress = 2 is unusual: if it is in kPa, write 2000"}},
              {{"material.surface-pressure=101325"}, {"material.surface-pressure = 101325 is unusual", "write 0"}},
