@@ -232,8 +232,8 @@ struct Rhythm {
         return {most - rises.begin(), rise};
     }
     /// Too few windows to tell, as across a slope.
-    [[nodiscard]] bool is_level() const { return rising < 4; }
-    [[nodiscard]] double share() const { return fraction(stepped, rising); }
+    [[nodiscard]] bool is_level() const { return rising < 5; }
+    [[nodiscard]] double share() const { return is_level() ? 0 : fraction(stepped, rising); }
 };
 
 /// Finds copied cells that were interpolated or turned once more, or that noise lies on.
@@ -249,7 +249,6 @@ void find_blurred_blocks(const Raster& ground, const Raster& path, std::int64_t 
             south(ground, path, cell_size, false, period, stride);
         const auto [less, more] = std::minmax({east.share(), south.share()});
         if (more < k_stepped || (less < k_some && !east.is_level() && !south.is_level())) continue;
-        if (east.is_level() && south.is_level()) continue;
         const auto side = static_cast<double>(period);
         doubts.blocks = {side, side, more, true};
         return;
