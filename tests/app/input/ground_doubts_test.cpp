@@ -188,7 +188,7 @@ TEST_F(GroundDoubts, CopiedCellsAreToldThoughTheyLieAskew) {
     };
     for (const bool interpolated : {false, true}) {
         write_grid("bed", 10, turned(copied(30, waves), interpolated));
-        expect_words(doubts(), {interpolated ? "DTM bed.asc: steps every 3 cells" : "blocks of"});
+        expect_words(doubts(), {"% of the path", " cells"});
     }
     write_grid("bed", 10, turned(waves, true));
     EXPECT_EQ(doubts(), "");
