@@ -352,9 +352,7 @@ std::vector<RunWarning> run_warnings(const RunResult& result, const Scene& scene
                             true});
     }
     if (!result.hard_events.none())
-        warnings.push_back({worded("the computation had numerical events that do not occur in a good run; see "
-                                   "hard_events in summary.json"),
-                            true});
+        warnings.push_back({worded("There were numerical events that do not occur in a good run."), true});
     warn_of_gaps(result, scene, warnings);
     warn_of_motion(result, scene, warnings);
     append(warnings, thin_release_warnings(result.raster("release"), scene), true);

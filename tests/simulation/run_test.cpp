@@ -140,6 +140,10 @@ TEST(Run, WhatLeavesIsToldWhereItCounts) {
     result.add("bed", scene.terrain);
     for (const char* name : {"final_depth", "max_depth", "release"}) result.add(name, Raster(scene.grid, 1.0));
     result.volume_entered = 1000;
+    result.hard_events.non_finite = 1;
+    for (const RunWarning& warning : run_warnings(result, scene))
+        if (warning.limits_use)  // it stands on maps, which others get without the files
+            EXPECT_EQ(warning.words.text().find(".json"), std::string::npos) << warning.words.text();
     for (const auto& [left, told] : {std::pair{0.5, false}, {2.0, true}}) {
         result.volume_left = left;
         bool found = false;
