@@ -141,9 +141,9 @@ TEST(Run, WhatLeavesIsToldWhereItCounts) {
     for (const char* name : {"final_depth", "max_depth", "release"}) result.add(name, Raster(scene.grid, 1.0));
     result.volume_entered = 1000;
     result.hard_events.non_finite = 1;
-    for (const RunWarning& warning : run_warnings(result, scene))
-        if (warning.limits_use)  // it stands on maps, which others get without the files
-            EXPECT_EQ(warning.words.text().find(".json"), std::string::npos) << warning.words.text();
+    // They stand on maps, which others get without the files.
+    for (const Sentence& words : sentences_of(run_warnings(result, scene)))
+        EXPECT_EQ(words.text().find("hard_events"), std::string::npos) << words.text();
     for (const auto& [left, told] : {std::pair{0.5, false}, {2.0, true}}) {
         result.volume_left = left;
         bool found = false;
