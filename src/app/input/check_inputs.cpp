@@ -338,61 +338,57 @@ void warn_of_release(const Scene& scene, RunLog& log) {
 namespace {
 
 /// Mean gradient of the ground at places of the map.
-class MeanGradient {
-  public:
-    explicit MeanGradient(const Scene& scene) : scene_(scene) {}
-    void add(Point map) {
-        const Point here = gradient(scene_.terrain, cell_of(scene_.grid, scene_.grid.local_from_map(map)));
-        if (std::isnan(here.x + here.y)) return;
-        sum_ = {sum_.x + here.x, sum_.y + here.y};
-        count_ += 1;
+Point mean_gradient(const Scene& scene, const std::vector<Point>& places) {
+    Point sum;
+    for (const Point place : places) {
+        const Point here = gradient(scene.terrain, cell_of(scene.grid, scene.grid.local_from_map(place)));
+        sum = {sum.x + here.x, sum.y + here.y};
     }
-    [[nodiscard]] double along(Point direction) const {
-        return count_ > 0 ? (sum_.x * direction.x + sum_.y * direction.y) / count_ : 0;
-    }
-    /// Warns of a direction against the slope.
-    void question(const char* key, const std::optional<double>& azimuth, RunLog& log) const {
-        constexpr double k_steep = 0.05, k_against = 0.5, k_degrees = 180 / std::numbers::pi;
-        const double steep = std::hypot(along({1, 0}), along({0, 1}));
-        if (!azimuth || steep < k_steep || along({std::sin(*azimuth), std::cos(*azimuth)}) < k_against * steep) return;
-        const double down = std::fmod(std::atan2(-sum_.x, -sum_.y) * k_degrees + 360, 360);
-        log.warn(worded("{1} = {2} goes uphill: the ground falls towards {3} degrees",
-                        {key, numeral(number_text(*azimuth * k_degrees, 3)), numeral(number_text(down, 3))}));
-    }
+    const double count = std::max(1.0, static_cast<double>(places.size()));
+    return {sum.x / count, sum.y / count};
+}
 
-  private:
-    const Scene& scene_;
-    Point sum_;
-    double count_ = 0;
-};
+double along(Point vector, Point direction) {
+    return vector.x * direction.x + vector.y * direction.y;
+}
+
+/// Warns of a direction against the slope.
+void question_direction(const char* key, const std::optional<double>& azimuth, Point gradient, RunLog& log) {
+    constexpr double k_steep = 0.05, k_against = 0.5, k_degrees = 180 / std::numbers::pi;
+    const double steep = std::hypot(gradient.x, gradient.y);
+    if (!azimuth || !(steep > k_steep)) return;
+    if (along(gradient, {std::sin(*azimuth), std::cos(*azimuth)}) < k_against * steep) return;
+    log.warn(worded("{1} = {2} goes uphill: the ground falls towards {3} degrees",
+                    {key, numeral(number_text(*azimuth * k_degrees, 3)),
+                     numeral(number_text(std::fmod(std::atan2(-gradient.x, -gradient.y) * k_degrees + 360, 360), 3))}));
+}
 
 }  // namespace
 
 void warn_of_directions(const Scene& scene, RunLog& log) {
     constexpr double k_steep = 0.1, k_along = 2;
     for (const ReleaseArea& one : scene.release) {
-        MeanGradient ground(scene);
+        std::vector<Point> places;
         if (!(one.speed > 0) || !one.azimuth) continue;
         gis::visit_cells(one.outline, scene.grid, gis::Cover::centres, [&](std::int64_t row, std::int64_t column) {
-            ground.add(scene.grid.cell_centre(row, column));
+            places.push_back(scene.grid.cell_centre(row, column));
         });
-        ground.question("release.direction", one.azimuth, log);
+        question_direction("release.direction", one.azimuth, mean_gradient(scene, places), log);
     }
     for (const Inflow& inflow : scene.inflows) {
-        MeanGradient ground(scene);
+        std::vector<Point> places;
         for (std::size_t i = 1; i < inflow.line.size(); ++i) {
             const Point a = inflow.line[i - 1], b = inflow.line[i];
             const double count = std::ceil(std::hypot(b.x - a.x, b.y - a.y) / scene.grid.cell_size);
             for (double k = 0.5; k < count; ++k)
-                ground.add({a.x + k / count * (b.x - a.x), a.y + k / count * (b.y - a.y)});
+                places.push_back({a.x + k / count * (b.x - a.x), a.y + k / count * (b.y - a.y)});
         }
-        ground.question("inflow.direction", inflow.azimuth, log);
-        const Point a = inflow.line.front(), b = inflow.line.back();
+        const Point ground = mean_gradient(scene, places), a = inflow.line.front(), b = inflow.line.back();
+        question_direction("inflow.direction", inflow.azimuth, ground, log);
         const double length = std::hypot(b.x - a.x, b.y - a.y);
-        if (inflow.azimuth || !(length > 0)) continue;
-        const Point line{(b.x - a.x) / length, (b.y - a.y) / length};
-        const double fall = std::abs(ground.along(line)), across = std::abs(ground.along({-line.y, line.x}));
-        if (fall > k_steep && fall > k_along * across)
+        const double fall = std::abs(along(ground, {b.x - a.x, b.y - a.y})) / length,
+                     across = std::abs(along(ground, {a.y - b.y, b.x - a.x})) / length;
+        if (!inflow.azimuth && fall > k_steep && fall > k_along * across)
             log.warn(worded("inflow.line runs down a slope of {1} %: draw it across the flow",
                             {numeral(number_text(100 * fall, 2))}));
     }
