@@ -5,9 +5,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
+#include <tuple>
 #include <vector>
 
 #include "analysis/ground_statistics.h"
@@ -468,14 +470,17 @@ void find_rough(const Raster& ground, const Path& path, double cell_size, Ground
 Raster taken_path(const Raster& ground, const Raster& path, double cell_size, GroundDoubts& doubts) {
     constexpr double k_dam = 5, k_narrow = 30, k_narrow_cells = 2.5;  // [m]
     const GridSpec& grid = ground.grid;
-    std::set<std::pair<double, std::size_t>> front;
-    Raster taken(grid), wide(grid);
+    std::set<std::tuple<double, std::size_t, std::size_t>> front;  // elevation, order, cell: where it came first
+    std::size_t order = 0;
+    constexpr auto k_untouched = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> from(Runs::cells(ground), k_untouched);  // the cell that water came from
+    Raster wide(grid);
     double starts = 0;
     path.values.for_each_stored([&](std::size_t cell, double on) {
         if (!(on > 1) || std::isnan(ground.values[cell])) return;
         starts += 1;
-        front.emplace(ground.values[cell], cell);
-        taken.values[cell] = 1;
+        front.emplace(ground.values[cell], ++order, cell);
+        from[cell] = cell;
     });
     const auto side = static_cast<std::int64_t>(std::clamp(std::sqrt(starts) / 2, 2.0, 30.0));
     const auto around = [&](std::size_t cell, std::int64_t by, const auto& visit) {
@@ -488,27 +493,27 @@ Raster taken_path(const Raster& ground, const Raster& path, double cell_size, Gr
     };
     const double narrow = std::max(k_narrow / cell_size, k_narrow_cells) * grid.cell_size;  // of the grid's unit
     double floor = HUGE_VAL, level = HUGE_VAL;  // of the water where it is dammed up
-    Point crest;
     // The lowest first, as water rises: it leaves the path at its lowest end.
     for (bool ends = false; !front.empty() && !ends;) {
-        const auto [z, cell] = front.extract(front.begin()).value();
-        const Point here = centre_of(grid, cell);
+        const auto [z, at, cell] = front.extract(front.begin()).value();
         if (z < floor) {
-            const bool is_narrow = std::hypot(here.x - crest.x, here.y - crest.y) <= narrow;
-            if (is_narrow && level - floor > std::max(k_dam, doubts.dam ? doubts.dam->height : 0))
-                doubts.dam = {level - floor, crest};
+            const Point here = centre_of(grid, cell);
+            std::size_t crest = cell;
+            const auto is_near = [&](Point p) { return std::hypot(here.x - p.x, here.y - p.y) <= narrow; };
+            while (ground.values[crest] < level && from[crest] != crest && is_near(centre_of(grid, from[crest])))
+                crest = from[crest];
+            if (ground.values[crest] >= level && level - floor > std::max(k_dam, doubts.dam ? doubts.dam->height : 0))
+                doubts.dam = {level - floor, centre_of(grid, crest)};
             floor = level = z;
-        } else if (z > level) {
-            level = z;
-            crest = here;
         }
+        level = std::max(level, z);
         around(cell, side, [&](std::size_t i) { wide.values[i] = path.values[i] > 0 ? 1 : 0; });
         around(cell, 1, [&](std::size_t i) {
             if (std::isnan(ground.values[i])) return;
             ends = ends || !(path.values[i] > 0);
-            if (taken.values[i] > 0) return;
-            taken.values[i] = 1;
-            front.emplace(ground.values[i], i);
+            if (from[i] != k_untouched) return;
+            from[i] = cell;
+            front.emplace(ground.values[i], ++order, i);
         });
     }
     return wide;

@@ -267,6 +267,10 @@ TEST_F(GroundDoubts, HousesOfASurfaceModelAreTold) {
 TEST_F(GroundDoubts, ADamAcrossTheChannelIsTold) {
     write_grid("bed", 10, [&](double x, double y) { return channel(x, y) + (std::abs(x - 500) < 10 ? 12 : 0); });
     expect_words(doubts(), {"DTM bed.asc: a dam of", "E 5274", "bridges and culverts"});
+    write_grid("bed", 10, [&](double x, double y) {
+        return std::max(channel(x, y), std::abs(x - 800) < 10 ? channel(800, 450) + 15 : 0);
+    });
+    expect_words(doubts(), {"DTM bed.asc: a dam of 12 m", "E 527805"});
     write_grid("bed", 10, channel);
     EXPECT_EQ(doubts(), "");
     write_grid("bed", 10,
