@@ -71,6 +71,7 @@ const char* describe(Trend trend) {
 namespace {
 
 constexpr double k_same_size = 1.01;
+constexpr double k_shrunk = 0.9;  // a step of a converging value, of the one before: order 0.15
 
 /// Levels on cells of up to `factor` times the finest: range of their values, and range of cell sizes.
 struct Window {
@@ -131,7 +132,7 @@ GridConvergence trend_of(const std::vector<Refinement>& levels, double detail) {
         result.trend = Trend::unknown;
     } else if (!changes_in_one_direction(levels)) {
         result.trend = Trend::oscillating;
-    } else if (std::abs(last) >= std::abs(before)) {
+    } else if (std::abs(last) > k_shrunk * std::abs(before)) {
         result.trend = Trend::diverging;
     } else {
         result.trend = Trend::converging;

@@ -18,7 +18,7 @@ struct Refinement {
 enum class Trend {
     converging,   ///< differences of one sign that shrink
     oscillating,  ///< differences change their sign
-    diverging,    ///< differences grow
+    diverging,    ///< differences grow, or shrink by less than a tenth
     settled,      ///< no difference between the two finest
     terrain,      ///< the terrain has more detail on finer cells than the last refinement added: no order is known
     unknown,      ///< too few resolutions
@@ -49,8 +49,8 @@ struct GridConvergence {
 ///
 /// 1.25 is the safety factor of the grid convergence index (Roache 1994); the mean is ours (share/doc/accuracy.md). The
 /// order p = log2(|f(2h) - f(4h)| / |f(h) - f(2h)|) is observed if f changes monotonically from 4 h to h, the second
-/// halving changes it less than the first, and `unseen_detail` is at most 1. Throws Error(input) unless
-/// enough_levels().
+/// halving changes it at most 0.9 times as much as the first, and `unseen_detail` is at most 1. Throws Error(input)
+/// unless enough_levels().
 std::vector<GridConvergence> grid_convergence(const std::vector<std::vector<Refinement>>& values, double unseen_detail);
 
 /// Whether these cell sizes, coarsest first, suffice for grid_convergence with `unseen_detail`: three of up to 4 h, one

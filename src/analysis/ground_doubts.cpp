@@ -2,9 +2,14 @@
 #include "analysis/ground_doubts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
+#include <numeric>
+#include <set>
+#include <tuple>
 #include <vector>
 
 #include "analysis/ground_statistics.h"
@@ -183,112 +188,73 @@ void find_level_ground(const Raster& ground, const Path& path, const Runs& east,
     doubts.blocks = blocks;
 }
 
-/// The steps of lines folded to a period: on ground, all places of the period have the same share of its rise.
+/// The steps of lines folded to a period: on ground, all places of the period have the same share of its rise. In small
+/// windows, as in another coordinate system copied cells lie askew.
 struct Rhythm {
-    std::int64_t period, looked_at = 0, rising = 0;
-    std::vector<double> shares, counts;  ///< by place in the period
+    std::int64_t rising = 0, stepped = 0;  ///< windows
 
-    Rhythm(const Raster& ground, const Raster& path, double cell_size, bool along_rows, std::int64_t wanted,
-           std::int64_t stride)
-        : period(wanted), shares(static_cast<std::size_t>(wanted)), counts(shares) {
+    Rhythm(const Raster& ground, const Raster& path, double cell_size, bool along_rows, std::int64_t period,
+           std::int64_t stride) {
         constexpr double k_gentlest = 0.05;
+        const std::int64_t side = std::max<std::int64_t>(16, 4 * period) / period * period;
         const Lines z(ground, along_rows), on(path, along_rows);
-        const auto step = [&](std::int64_t line, std::int64_t i) { return std::abs(z(line, i + 1) - z(line, i)); };
-        for (std::int64_t line = 0; line < z.count(); line += stride) {
-            for (std::int64_t first = 0; first + period < z.length(); ++first) {
-                const std::int64_t middle = first + (period - 1) / 2;
-                if (!(on(line, middle) > 0)) continue;
-                ++looked_at;
+        for (std::int64_t top = 0; top + side < z.count(); top += side * stride) {
+            for (std::int64_t first = 0; first + side < z.length(); first += side) {
+                if (!(on(top + side / 2, first + side / 2) > 0)) continue;
+                // A cliff, a pit or a house is in one quarter.
+                const std::int64_t across = side / 2, along = (side / period + 1) / 2 * period;
+                const Most quarters[]{most_at(z, top, across, first, along, period),
+                                      most_at(z, top, across, first + along, side - along, period),
+                                      most_at(z, top + across, side - across, first, along, period),
+                                      most_at(z, top + across, side - across, first + along, side - along, period)};
                 double rise = 0;
-                for (std::int64_t i = first; i < first + period; ++i) rise += step(line, i);
-                if (!(rise > k_gentlest * cell_size * static_cast<double>(period))) continue;
+                for (const Most& one : quarters) rise += one.rise;
+                if (!(rise > k_gentlest * cell_size * static_cast<double>(side * side))) continue;
                 ++rising;
-                const auto place = static_cast<std::size_t>(middle % period);
-                shares[place] += static_cast<double>(period) * step(line, middle) / rise;
-                counts[place] += 1;
+                const auto as_first = [&](const Most& one) { return one.place == quarters[0].place; };
+                stepped += quarters[0].place >= 0 && std::all_of(quarters + 1, quarters + 4, as_first) ? 1 : 0;
             }
         }
-        for (std::size_t place = 0; place < shares.size(); ++place) shares[place] /= std::max(counts[place], 1.0);
     }
-    /// Too few steps to tell, as across a slope.
-    [[nodiscard]] bool is_level() const { return *std::min_element(counts.begin(), counts.end()) < 50; }
-    /// Real ground has 0.8 to 1.2, copies that were interpolated 0 to 0.25 and above 2.5.
-    [[nodiscard]] bool is_stepped() const {
-        const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
-        return !is_level() && *least < 0.5 && *most > 1.8;
+    /// The place of the period that has most of the rise, -1 if it has hardly more than others; and the whole rise.
+    struct Most {
+        std::int64_t place = -1;
+        double rise = 0;
+    };
+    static Most most_at(const Lines& z, std::int64_t top, std::int64_t side, std::int64_t first, std::int64_t length,
+                        std::int64_t period) {
+        std::vector<double> rises(static_cast<std::size_t>(period));
+        for (std::int64_t line = top; line < top + side; ++line)
+            for (std::int64_t i = first; i < first + length; ++i)
+                rises[static_cast<std::size_t>(i % period)] += std::abs(z(line, i + 1) - z(line, i));
+        const double rise = std::accumulate(rises.begin(), rises.end(), 0.0), mean = rise / static_cast<double>(period);
+        const auto [least, most] = std::minmax_element(rises.begin(), rises.end());
+        // Real ground has 0.8 to 1.2, copies that were interpolated 0 to 0.25 and above 2.5.
+        if (*least > 0.5 * mean || *most < 1.8 * mean) return {-1, rise};
+        return {most - rises.begin(), rise};
     }
+    /// Too few windows to tell, as across a slope.
+    [[nodiscard]] bool is_level() const { return rising < 5; }
+    [[nodiscard]] double share() const { return is_level() ? 0 : fraction(stepped, rising); }
 };
 
-/// Finds copied cells that were interpolated once more, or that noise lies on.
+/// Finds copied cells that were interpolated or turned once more, or that noise lies on.
 void find_blurred_blocks(const Raster& ground, const Raster& path, std::int64_t path_size, double cell_size,
                          GroundDoubts& doubts) {
     constexpr std::int64_t k_longest = 12, k_samples = 200'000;
-    constexpr double k_blocks = 1.4;  // what was interpolated has equal cells here and there
+    constexpr double k_blocks = 1.4;                 // what was interpolated has equal cells here and there
+    constexpr double k_stepped = 0.3, k_some = 0.1;  // of windows, along one direction and along the other
     if (doubts.blocks && std::min(doubts.blocks->columns, doubts.blocks->rows) > k_blocks) return;
     for (std::int64_t period = 2; period <= k_longest; ++period) {
         const std::int64_t stride = 1 + path_size / k_samples;
         const Rhythm east(ground, path, cell_size, true, period, stride),
             south(ground, path, cell_size, false, period, stride);
-        if ((!east.is_stepped() && !east.is_level()) || (!south.is_stepped() && !south.is_level())) continue;
-        if (east.is_level() && south.is_level()) continue;
+        const auto [less, more] = std::minmax({east.share(), south.share()});
+        if (more < k_stepped || (less < k_some && !east.is_level() && !south.is_level())) continue;
         const auto side = static_cast<double>(period);
-        doubts.blocks = {
-            side, side, std::max(fraction(east.rising, east.looked_at), fraction(south.rising, south.looked_at)), true};
+        doubts.blocks = {side, side, more, true};
         return;
     }
-}
-
-/// By how much a step exceeds the steps before and after it; 0 if it lies between them, as where a slope bends.
-double excess(double before, double here, double after) {
-    const double least = std::min(before, after), most = std::max(before, after);
-    return here > most ? here - most : here < least ? here - least : 0;
-}
-
-/// Finds seams across the lines of one direction. Many of them side by side are no tiles: the model was brought to
-/// larger cells, some of which were left out.
-void find_seam(const Raster& ground, const Raster& path, double cell_size, bool along_rows, GroundDoubts& doubts) {
-    // Beside a cliff or the bank of a channel the ground bends as well.
-    constexpr std::int64_t k_least_cells = 24, k_least_apart = 16;
-    constexpr double k_over_bend = 4, k_change = 0.35;
-    const double least = 1 + 0.1 * cell_size;
-    const Lines z(ground, along_rows), on(path, along_rows);
-    const auto rise = [&](std::int64_t line, std::int64_t from) { return z(line, from + 1) - z(line, from); };
-    const std::int64_t wanted = std::min(k_least_cells, z.count() * 3 / 4);
-    std::optional<GroundDoubts::Seam> highest;
-    std::int64_t last_seam = -k_least_apart;
-    for (std::int64_t i = 2; i + 3 < z.length(); ++i) {
-        double height = 0, change = 0, bend = 0, last = 0;
-        std::int64_t first = 0, touched = 0;
-        bool found = false;
-        const auto finish = [&](std::int64_t end) {
-            const auto length = static_cast<double>(end - first);
-            if (end - first >= wanted && touched > 0 && height > k_over_bend * bend && change < k_change * height) {
-                found = true;
-                if (!highest || height > highest->height * highest->length)
-                    highest = {height / length, length, centre_of(ground.grid, z.cell((first + end) / 2, i))};
-            }
-            height = change = bend = last = 0;
-            touched = 0;
-        };
-        for (std::int64_t line = 0; line < z.count(); ++line) {
-            const double here = excess(rise(line, i - 1), rise(line, i), rise(line, i + 1));
-            if (!(std::abs(here) >= least) || here * last < 0) finish(line);
-            if (!(std::abs(here) >= least)) continue;
-            if (last == 0) first = line;
-            height += std::abs(here);
-            change += last == 0 ? 0 : std::abs(here - last);
-            const double bends = std::max(std::abs(rise(line, i - 1) - rise(line, i - 2)),
-                                          std::abs(rise(line, i + 1) - rise(line, i + 2)));
-            bend += std::isnan(bends) ? 0 : bends;
-            touched += on(line, i) > 0 || on(line, i + 1) > 0 ? 1 : 0;
-            last = here;
-        }
-        finish(z.count());
-        if (!found) continue;
-        if (i - last_seam < k_least_apart) return;
-        last_seam = i;
-    }
-    if (highest && (!doubts.seam || highest->height > doubts.seam->height)) doubts.seam = highest;
 }
 
 /// A step over two cells, as interpolation leaves it, between smooth ground.
@@ -350,10 +316,9 @@ std::optional<GroundDoubts::Seam> row_of_steps(const std::vector<Step>& steps, d
     return longest;
 }
 
-/// Finds a seam that lies askew to rows and columns: of tiles in another coordinate system. The line on which most
-/// steps lie is sought among all (Hough's transform).
-void find_turned_seam(const Raster& ground, const Raster& path, double cell_size, bool along_rows,
-                      GroundDoubts& doubts) {
+/// Finds a seam across the lines of one direction, askew to it between tiles in another coordinate system. The line on
+/// which most steps lie is sought among all (Hough's transform).
+void find_seam(const Raster& ground, const Raster& path, double cell_size, bool along_rows, GroundDoubts& doubts) {
     constexpr int k_slopes = 128;  // of 45 degrees to either side
     constexpr std::size_t k_most_others = 5;
     const Lines z(ground, along_rows), on(path, along_rows);
@@ -377,31 +342,33 @@ void find_turned_seam(const Raster& ground, const Raster& path, double cell_size
     doubts.seam = seam;
 }
 
-/// A patch of equal cells and the ground around it.
+/// Connected cells and the ground around them.
 struct Patch {
     std::vector<std::size_t> cells;
-    std::int64_t around = 0, higher = 0;  ///< neighbours of another value; of these: higher than the limit
+    std::int64_t around = 0, beyond = 0;  ///< neighbours outside; of these: higher, or lower, by more than the limit
 };
 
-Patch patch_at(const Raster& ground, std::size_t start, double deep, std::vector<char>& seen) {
+/// @param join greatest step within the patch [m]
+/// @param deep positive: its neighbours are higher by more; negative: lower [m]
+Patch patch_at(const Raster& ground, std::size_t start, double join, double deep, std::vector<char>& seen) {
     constexpr std::size_t k_most_cells = 20'000;
     Patch patch{{start}};
-    const double value = ground.values[start];
     seen[start] = 1;
     for (std::size_t i = 0; i < patch.cells.size() && patch.cells.size() < k_most_cells; ++i) {
         const auto at = static_cast<std::int64_t>(patch.cells[i]);
+        const double value = ground.values[patch.cells[i]];
         const std::int64_t row = at / ground.grid.columns, column = at % ground.grid.columns;
         for (const auto& [r, c] :
              {std::pair{row - 1, column}, {row + 1, column}, {row, column - 1}, {row, column + 1}}) {
             if (r < 0 || c < 0 || r >= ground.grid.rows || c >= ground.grid.columns) continue;
             const std::size_t cell = ground.index(r, c);
-            const double z = ground.values[cell];
-            if (z == value) {
+            const double step = ground.values[cell] - value;
+            if (std::abs(step) <= join) {
                 if (!seen[cell]) patch.cells.push_back(cell);
                 seen[cell] = 1;
-            } else if (!std::isnan(z)) {
+            } else if (!std::isnan(step)) {
                 ++patch.around;
-                patch.higher += z > value + deep ? 1 : 0;
+                patch.beyond += deep > 0 ? step > deep : step < deep;
             }
         }
     }
@@ -417,9 +384,9 @@ void find_pits(const Raster& ground, const Path& path, double cell_size, GroundD
         const auto column = static_cast<std::int64_t>(cell) % ground.grid.columns;
         if (seen[cell] || column == 0) continue;
         if (!(ground.values[cell - 1] > ground.values[cell] + deep)) continue;
-        const Patch patch = patch_at(ground, cell, deep, seen);
+        const Patch patch = patch_at(ground, cell, 0, deep, seen);
         if (patch.cells.size() < 2) continue;  // a needle
-        if (static_cast<double>(patch.higher) < k_most_of_rim * static_cast<double>(patch.around)) continue;
+        if (static_cast<double>(patch.beyond) < k_most_of_rim * static_cast<double>(patch.around)) continue;
         GroundDoubts::Pits& pits = by_value[ground.values[cell]];
         if (pits.cells == 0) pits = {ground.values[cell], 0, 0, centre_of(ground.grid, cell)};
         pits.cells += static_cast<std::int64_t>(patch.cells.size());
@@ -431,39 +398,125 @@ void find_pits(const Raster& ground, const Path& path, double cell_size, GroundD
     }
 }
 
+/// Finds houses of a surface model: roofs above walls on all sides. Crags are fewer.
+void find_houses(const Raster& ground, const Path& path, double cell_size, GroundDoubts& doubts) {
+    constexpr double k_wall = 3, k_roof = 0.6, k_least_share = 0.005;  // [m], of a wall, of the path
+    constexpr double k_least_area = 60, k_most_area = 3000;            // [m2]
+    constexpr std::int64_t k_least = 3;
+    std::vector<char> seen(Runs::cells(ground));
+    GroundDoubts::Houses houses;
+    std::vector<double> heights;
+    std::int64_t covered = 0;
+    for (const std::size_t cell : path.cells()) {
+        const auto column = static_cast<std::int64_t>(cell) % ground.grid.columns;
+        const double height = column > 0 ? ground.values[cell] - ground.values[cell - 1] : 0;
+        if (seen[cell] || !(height > k_wall)) continue;
+        const Patch patch = patch_at(ground, cell, k_roof * k_wall, -k_wall, seen);
+        const double area = static_cast<double>(patch.cells.size()) * cell_size * cell_size;
+        if (patch.cells.size() < 4 || patch.beyond < patch.around || area < k_least_area || area > k_most_area)
+            continue;
+        covered += static_cast<std::int64_t>(patch.cells.size());
+        heights.push_back(height);
+        if (houses.count++ == 0) houses.place = centre_of(ground.grid, cell);
+    }
+    if (houses.count < k_least || fraction(covered, path.size()) < k_least_share) return;
+    houses.height = percentile(std::move(heights), 0.5);
+    doubts.houses = houses;
+}
+
+/// Height above or below what lies before and after it, of the line through the cell where this is least: 0 on crests
+/// and in gullies, which are straight over a few cells.
+double height_of(const Raster& ground, std::int64_t row, std::int64_t column) {
+    constexpr std::int64_t k_side = 2;
+    if (row < k_side || column < k_side || row + k_side >= ground.grid.rows || column + k_side >= ground.grid.columns)
+        return k_no_data;
+    double least = HUGE_VAL;
+    for (const auto& [r, c] : {std::pair{0, 1}, {1, 0}, {1, 1}, {1, -1}}) {
+        std::array<double, 2 * k_side + 1> line{};
+        for (std::int64_t i = -k_side; i <= k_side; ++i)
+            line[static_cast<std::size_t>(i + k_side)] = ground.at(row + i * r, column + i * c);
+        if (std::any_of(line.begin(), line.end(), [](double z) { return std::isnan(z); })) return k_no_data;
+        const double here = line[k_side];
+        std::nth_element(line.begin(), line.begin() + k_side, line.end());
+        least = std::min(least, std::abs(here - line[k_side]));
+    }
+    return least;
+}
+
 void find_rough(const Raster& ground, const Path& path, double cell_size, GroundDoubts& doubts) {
-    constexpr std::int64_t k_side = 2, k_samples = 200'000;
-    constexpr double k_least_height = 1.5, k_height_cells = 0.25, k_least_share = 0.15;
+    constexpr double k_least_height = 1.5, k_height_cells = 0.25, k_least_share = 0.06;  // crags of lava have 0.03
     const double limit = std::max(k_least_height, k_height_cells * cell_size);
-    const auto stride = static_cast<std::size_t>(1 + path.size() / k_samples);
     std::vector<double> heights;
     std::int64_t looked_at = 0;
     double highest = 0;
     GroundDoubts::Rough rough;
-    for (std::size_t i = 0; i < path.cells().size(); i += stride) {
-        const auto at = static_cast<std::int64_t>(path.cells()[i]);
-        const std::int64_t row = at / ground.grid.columns, column = at % ground.grid.columns;
-        if (row < k_side || column < k_side || row + k_side >= ground.grid.rows ||
-            column + k_side >= ground.grid.columns)
-            continue;
-        std::vector<double> around;
-        for (std::int64_t r = row - k_side; r <= row + k_side; ++r)
-            for (std::int64_t c = column - k_side; c <= column + k_side; ++c)
-                if (const double z = ground.at(r, c); !std::isnan(z)) around.push_back(z);
-        if (around.size() < 25) continue;
-        ++looked_at;
-        const double height = std::abs(ground.values[path.cells()[i]] - percentile(std::move(around), 0.5));
-        if (height <= limit) continue;
+    for (const std::size_t cell : path.cells()) {
+        const auto at = static_cast<std::int64_t>(cell);
+        const double height = height_of(ground, at / ground.grid.columns, at % ground.grid.columns);
+        looked_at += std::isnan(height) ? 0 : 1;
+        if (!(height > limit)) continue;
         heights.push_back(height);
-        if (height > highest) {
-            highest = height;
-            rough.place = ground.grid.cell_centre(row, column);
-        }
+        if (height > highest) rough.place = centre_of(ground.grid, cell);
+        highest = std::max(highest, height);
     }
     rough.share = fraction(static_cast<std::int64_t>(heights.size()), looked_at);
     if (rough.share < k_least_share) return;
     rough.height = percentile(std::move(heights), 0.5);
     doubts.rough = rough;
+}
+
+/// The part of the path that the flow takes: where water from its highest cells runs, over what dams it up, and as wide
+/// to both sides as the mass where it starts. The start is marked with 2. Finds narrow dams across it.
+Raster taken_path(const Raster& ground, const Raster& path, double cell_size, GroundDoubts& doubts) {
+    constexpr double k_dam = 5, k_narrow = 30, k_narrow_cells = 2.5;  // [m]
+    const GridSpec& grid = ground.grid;
+    std::set<std::tuple<double, std::size_t, std::size_t>> front;  // elevation, order, cell: where it came first
+    std::size_t order = 0;
+    constexpr auto k_untouched = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> from(Runs::cells(ground), k_untouched);  // the cell that water came from
+    Raster wide(grid);
+    double starts = 0;
+    path.values.for_each_stored([&](std::size_t cell, double on) {
+        if (!(on > 1) || std::isnan(ground.values[cell])) return;
+        starts += 1;
+        front.emplace(ground.values[cell], ++order, cell);
+        from[cell] = cell;
+    });
+    const auto side = static_cast<std::int64_t>(std::clamp(std::sqrt(starts) / 2, 2.0, 30.0));
+    const auto around = [&](std::size_t cell, std::int64_t by, const auto& visit) {
+        const auto row = static_cast<std::int64_t>(cell) / grid.columns,
+                   column = static_cast<std::int64_t>(cell) % grid.columns;
+        for (std::int64_t r = std::max<std::int64_t>(row - by, 0); r <= std::min(row + by, grid.rows - 1); ++r)
+            for (std::int64_t c = std::max<std::int64_t>(column - by, 0); c <= std::min(column + by, grid.columns - 1);
+                 ++c)
+                visit(ground.index(r, c));
+    };
+    const double narrow = std::max(k_narrow / cell_size, k_narrow_cells) * grid.cell_size;  // of the grid's unit
+    double floor = HUGE_VAL, level = HUGE_VAL;  // of the water where it is dammed up
+    // The lowest first, as water rises: it leaves the path at its lowest end.
+    for (bool ends = false; !front.empty() && !ends;) {
+        const auto [z, at, cell] = front.extract(front.begin()).value();
+        if (z < floor) {
+            const Point here = centre_of(grid, cell);
+            std::size_t crest = cell;
+            const auto is_near = [&](Point p) { return std::hypot(here.x - p.x, here.y - p.y) <= narrow; };
+            while (ground.values[crest] < level && from[crest] != crest && is_near(centre_of(grid, from[crest])))
+                crest = from[crest];
+            if (ground.values[crest] >= level && level - floor > std::max(k_dam, doubts.dam ? doubts.dam->height : 0))
+                doubts.dam = {level - floor, centre_of(grid, crest)};
+            floor = level = z;
+        }
+        level = std::max(level, z);
+        around(cell, side, [&](std::size_t i) { wide.values[i] = path.values[i] > 0 ? 1 : 0; });
+        around(cell, 1, [&](std::size_t i) {
+            if (std::isnan(ground.values[i])) return;
+            ends = ends || !(path.values[i] > 0);
+            if (from[i] != k_untouched) return;
+            from[i] = cell;
+            front.emplace(ground.values[i], ++order, i);
+        });
+    }
+    return wide;
 }
 
 }  // namespace
@@ -476,11 +529,12 @@ GroundDoubts ground_doubts(const Raster& ground, const Raster& path, double cell
     find_pits(ground, on, cell_size, doubts);
     if (!doubts.terraces) find_blurred_blocks(ground, path, on.size(), cell_size, doubts);
     if (doubts.blocks || doubts.terraces) return doubts;  // whose steps look like seams and roughness
-    find_seam(ground, path, cell_size, true, doubts);
-    find_seam(ground, path, cell_size, false, doubts);
+    const Path taken(taken_path(ground, path, cell_size, doubts));
     for (const bool along_rows : {true, false})
-        if (!doubts.seam) find_turned_seam(ground, path, cell_size, along_rows, doubts);
-    find_rough(ground, on, cell_size, doubts);
+        if (!doubts.seam && !doubts.dam) find_seam(ground, path, cell_size, along_rows, doubts);
+    find_rough(ground, taken, cell_size, doubts);
+    if (doubts.rough) doubts.dam.reset();  // of trees
+    if (!doubts.rough) find_houses(ground, taken, cell_size, doubts);
     return doubts;
 }
 
@@ -498,7 +552,7 @@ Raster reachable_ground(const Raster& ground, const Raster& start, double fricti
         south = std::max(south, at / grid.columns);
         west = std::min(west, at % grid.columns);
         east = std::max(east, at % grid.columns);
-        reached.values[cell] = 1;
+        reached.values[cell] = 2;
         front.push_back(cell);
     });
     while (!front.empty()) {

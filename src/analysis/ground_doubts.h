@@ -34,27 +34,40 @@ struct GroundDoubts {
         double share = 0;        ///< of the cells looked at
         Point place;             ///< of the first
     };
-    /// Cells that stand out of the median of the 5 x 5 around them: trees and roofs of a surface model, or noise.
+    /// Cells that stand out of every line through them: trees of a surface model, or noise.
     struct Rough {
         double height = 0;  ///< of these, median [m]
-        double share = 0;   ///< of the cells looked at
+        double share = 0;   ///< of the flow's own path, the lowest part of the cells looked at
         Point place;        ///< of the highest
+    };
+    /// Roofs of a surface model, in the flow's own path.
+    struct Houses {
+        double height = 0;       ///< of their walls, median [m]
+        std::int64_t count = 0;  ///< three at least
+        Point place;             ///< of the first
+    };
+    /// A narrow dam across the path: a road or a bridge over what carries water.
+    struct Dam {
+        double height = 0;  ///< that water must rise [m]
+        Point place;
     };
     std::optional<Blocks> blocks;
     std::optional<Terraces> terraces;
     std::optional<Seam> seam;
     std::optional<Pits> pits;
     std::optional<Rough> rough;
+    std::optional<Houses> houses;
+    std::optional<Dam> dam;
 };
 
 inline constexpr double k_terrace_step = 0.25;  ///< [m]
 
 /// @param ground in its file's own cells: resampling hides what is looked for
-/// @param path on the same grid: the cells looked at are those above 0
+/// @param path reachable_ground() on the same grid: the cells looked at are those above 0
 /// @param cell_size [m]; the grid's own unit may be degrees
 GroundDoubts ground_doubts(const Raster& ground, const Raster& path, double cell_size);
 
-/// Marks with 1 what a mass can reach: cells connected to those where `start` is positive that lie below its energy
+/// Marks with 1 what a mass can reach, with 2 where `start` is positive: cells connected to these below its energy
 /// line, which begins at the highest of them, `start` metres above the ground, and falls by `friction` per metre.
 Raster reachable_ground(const Raster& ground, const Raster& start, double friction);
 

@@ -43,7 +43,8 @@ std::vector<std::uint8_t> search(const GridSpec& grid, const std::vector<float>&
         std::size_t cell;
         bool operator>(const Entry& other) const { return cost != other.cost ? cost > other.cost : cell > other.cell; }
     };
-    std::vector<double> best(costs.size(), std::numeric_limits<double>::infinity());
+    std::vector<double> best;
+    best.assign(costs.size(), std::numeric_limits<double>::infinity());
     std::vector<std::uint8_t> arrived_from(costs.size(), 8);
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
     best[from] = 0;

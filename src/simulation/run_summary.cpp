@@ -286,10 +286,10 @@ MotionAtEnd motion_at_end(const RunResult& result) noexcept {
                          result.moving_fraction_limit, result.settling && result.settling->front_is_final);
 }
 
-GapContact gap_contact(const RunResult& result, const Scene& scene) {
+GapContact gap_contact(const RunResult& result, const Scene& scene, NodataPolicy policy) {
     GapContact gap;
     const Raster& deepest = result.raster("max_depth");
-    if (scene.numerics.nodata != NodataPolicy::stop || !deepest.grid.same_cells(scene.terrain.grid)) return gap;
+    if (scene.numerics.nodata != policy || !deepest.grid.same_cells(scene.terrain.grid)) return gap;
     const GridSpec& grid = deepest.grid;
     const Raster& terrain = scene.terrain;
     const auto touches_gap = [&](std::int64_t row, std::int64_t column) {

@@ -159,7 +159,8 @@ struct GapContact {
     std::int64_t cells = 0;  ///< that the flow reached and that lack elevation, or one beside them does
     double depth = 0;        ///< greatest in these [m]
 };
-GapContact gap_contact(const RunResult& result, const Scene& scene);
+/// @param policy of scenes that are looked at: ground without elevation holds the flow of others as they asked for
+GapContact gap_contact(const RunResult& result, const Scene& scene, NodataPolicy policy = NodataPolicy::stop);
 
 /// Fraction of the volume through the edges of the computed ground from which a run-out is not the full one.
 inline constexpr double k_left_ground = 1e-3;

@@ -57,6 +57,10 @@ Sentence volume_that_moved(double fraction) {
 
 /// Warns of ground without elevation that the flow came to: it may have gone farther.
 void warn_of_gaps(const RunResult& result, const Scene& scene, Warnings& warnings) {
+    if (const GapContact wall = gap_contact(result, scene, NodataPolicy::wall); wall.cells > 0)
+        warnings.push_back({worded("terrain.nodata-policy = wall holds back flow up to {1} m deep, on {2} cells",
+                                   {numeral(number_text(wall.depth, 3)), numeral(std::to_string(wall.cells))}),
+                            false});
     const GapContact gap = gap_contact(result, scene);
     if (gap.cells == 0 || result.stop_reason == StopReason::reached_no_data) return;
     warnings.push_back(
@@ -348,9 +352,7 @@ std::vector<RunWarning> run_warnings(const RunResult& result, const Scene& scene
                             true});
     }
     if (!result.hard_events.none())
-        warnings.push_back({worded("the computation had numerical events that do not occur in a good run; see "
-                                   "hard_events in summary.json"),
-                            true});
+        warnings.push_back({worded("There were numerical events that do not occur in a good run."), true});
     warn_of_gaps(result, scene, warnings);
     warn_of_motion(result, scene, warnings);
     append(warnings, thin_release_warnings(result.raster("release"), scene), true);
@@ -378,7 +380,7 @@ std::vector<RunWarning> run_warnings(const RunResult& result, const Scene& scene
                  {numeral(grouped(shown)), numeral(grouped(result.volume_final))}),
              false});
     }
-    if (result.volume_left > 0) {
+    if (left_ground(result)) {
         warnings.push_back(
             {worded(
                  "{1} m3 left the computed ground ({2} % of all volume that came in): the map does not show its full "

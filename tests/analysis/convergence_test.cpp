@@ -69,6 +69,12 @@ TEST(GridConvergence, SaysWhereValuesDoNotConverge) {
     const GridConvergence away = of_one({{8, 10}, {4, 11}, {2, 13}});
     EXPECT_EQ(away.trend, Trend::diverging);
     EXPECT_TRUE(std::isinf(away.error)) << "changes that grow bound nothing";
+    for (const double last : {1.0, 0.999, 0.95}) {  // with each halving about as much again: there is no limit
+        const GridConvergence equal = of_one({{8, 10}, {4, 11}, {2, 11 + last}});
+        EXPECT_EQ(equal.trend, Trend::diverging) << last;
+        EXPECT_TRUE(std::isinf(equal.error)) << last;
+    }
+    EXPECT_EQ(of_one({{8, 10}, {4, 11}, {2, 11.8}}).trend, Trend::converging);
     EXPECT_EQ(of_one({{8, 18}, {4, 14}, {3, 15}, {2, 12}}).trend, Trend::oscillating);  // one level between that swings
     EXPECT_EQ(of_one({{4, 14}, {3, 13}, {2, 12}}).trend, Trend::unknown);
 }

@@ -133,6 +133,26 @@ TEST(Run, AnErrorOfEnergyThatMovesTheRunOutIsTold) {
     }
 }
 
+// A few drops over the edge leave the map as it is.
+TEST(Run, WhatLeavesIsToldWhereItCounts) {
+    const Scene scene = slide();
+    RunResult result;
+    result.add("bed", scene.terrain);
+    for (const char* name : {"final_depth", "max_depth", "release"}) result.add(name, Raster(scene.grid, 1.0));
+    result.volume_entered = 1000;
+    result.hard_events.non_finite = 1;
+    // They stand on maps, which others get without the files.
+    for (const Sentence& words : sentences_of(run_warnings(result, scene)))
+        EXPECT_EQ(words.text().find("hard_events"), std::string::npos) << words.text();
+    for (const auto& [left, told] : {std::pair{0.5, false}, {2.0, true}}) {
+        result.volume_left = left;
+        bool found = false;
+        for (const Sentence& words : sentences_of(run_warnings(result, scene)))
+            found |= words.text().find("left the computed ground") != std::string::npos;
+        EXPECT_EQ(found, told) << left;
+    }
+}
+
 TEST(Run, OfAFlowThatEndsAtRestNoPileIsNamed) {
     const Scene scene = slide();
     const RunResult result = run(scene, {});

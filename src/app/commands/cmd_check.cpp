@@ -45,8 +45,6 @@
 namespace frana::app {
 namespace {
 
-const std::string k_density = "material.density";
-
 /// What `frana check SCENE --json` says: share/doc/scripts.md.
 struct CheckedScene {
     const Prepared& prepared;
@@ -105,8 +103,7 @@ Json check_document(const CheckedScene& checked) {
                        {"inflow_m3", expected.inflow},
                        {"dtm_contains_release", prepared.scene.terrain_contains_release},
                        {"ground", ground_json(prepared.release.ground)}};
-    if (model_reads(prepared.spec, k_density)) json["density_kg_m3"] = prepared.spec.material.density;
-    json["left_at_default"] = left_at_default(prepared);
+    add_defaults(prepared, json);
     if (prepared.friction) json["friction_table"] = friction_json(*prepared.friction, {});
     const auto& trial = checked.trial;
     const double engine = engine_seconds(expected, trial);
@@ -295,10 +292,7 @@ void print_run(const Prepared& prepared, const RunEstimate& expected, const std:
     print_fact("released",
                words(grouped(expected.volume), "m3 from") + " " + grouped(released_area(prepared.scene)) + " m2");
     if (prepared.friction) print_fact("friction", friction_text(prepared.friction->choice()).text());
-    if (model_reads(prepared.spec, k_density))
-        print_fact("density", shortest_text(prepared.spec.material.density) +
-                                  " kg/m3, from: " + describe(prepared.spec.origin_of(k_density)));
-    if (const std::string left = joined(left_at_default(prepared), ", "); !left.empty()) print_fact("at default", left);
+    print_defaults(prepared);
     if (expected.inflow > 0) print_fact("flows in", grouped(expected.inflow) + " m3 until the end");
     print_fact("DTM", prepared.scene.terrain_contains_release ? "contains the release: the bed lies under it"
                                                               : "is the bed: the release lies on top of it");

@@ -186,6 +186,17 @@ std::optional<AccuracyRecord> completed_record(const std::optional<AccuracyRecor
     return record;
 }
 
+/// Names the gauges that stayed dry: they may lie beside the channel.
+void log_dry_gauges(const RunResult& result, const Scene& scene, RunLog& log) {
+    std::vector<bool> is_wet(scene.recording.gauges.size());
+    for (const GaugeRow& row : result.gauges)
+        if (row.depth > scene.numerics.minimum_depth) is_wet[row.gauge] = true;
+    std::string dry;
+    for (std::size_t i = 0; i < is_wet.size(); ++i)
+        if (!is_wet[i]) dry += (dry.empty() ? "" : ", ") + scene.recording.gauges[i].name;
+    if (!dry.empty()) log.info("gauges not reached: " + dry);
+}
+
 void log_run(const RunResult& result, double end, RunLog& log) {
     log.info("computed " + number_text(result.simulated_seconds, 4) + " s in " + std::to_string(result.steps) +
              " steps and " + number_text(result.engine_seconds, 3) +
@@ -239,6 +250,7 @@ int run_into(const RunInput& input, CheckpointFile* from, ResultDirectory& direc
     frames.require_good();
     checkpoints.release();
     log_run(result, prepared.scene.time.end, log);
+    log_dry_gauges(result, prepared.scene, log);
 
     const std::optional<AccuracyRecord> accuracy = completed_record(input.accuracy, prepared, result);
     const PictureOutcome pictures = publish({prepared, result, input.threads, input.input_seconds,

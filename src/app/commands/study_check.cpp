@@ -25,6 +25,8 @@
 #include "app/text/text_table.h"
 #include "core/geometry.h"
 #include "core/text.h"
+#include "params/keys/laws.h"
+#include "params/scene/write_scene.h"
 #include "simulation/simulation.h"
 
 namespace frana::app {
@@ -223,7 +225,21 @@ void print_study(const study::StudyInput& input, const StudyForecast& forecast, 
     std::fflush(stdout);
 }
 
+const std::string k_density = "material.density";
+
 }  // namespace
+
+void print_defaults(const Prepared& prepared) {
+    if (model_reads(prepared.spec, k_density))
+        print_fact("density", shortest_text(prepared.spec.material.density) +
+                                  " kg/m3, from: " + describe(prepared.spec.origin_of(k_density)));
+    if (const std::string left = joined(left_at_default(prepared), ", "); !left.empty()) print_fact("at default", left);
+}
+
+void add_defaults(const Prepared& prepared, Json& json) {
+    if (model_reads(prepared.spec, k_density)) json["density_kg_m3"] = prepared.spec.material.density;
+    json["left_at_default"] = left_at_default(prepared);
+}
 
 std::string disk_text(const StudyForecast& forecast) {
     return "about " + bytes_text(forecast.writing.disk_bytes) + "; until it is complete " +
@@ -294,6 +310,7 @@ Json check_study(const std::string& path, const std::optional<std::string>& out,
     if (print && input.base.friction)
         print_fact("friction",
                    study::shown_friction(input).of + ": " + friction_text(input.base.friction->choice()).text());
+    if (print) print_defaults(input.base);
     warn_of_release(input.base.scene, log);
     study::warn_of_unknown_exposure(input, log);
     const auto members = input.members();
@@ -312,6 +329,7 @@ Json check_study(const std::string& path, const std::optional<std::string>& out,
                    {"memory_bytes", forecast.peak_bytes},
                    {"disk_bytes", forecast.writing.disk_bytes},
                    {"members_disk_bytes", forecast.disk_bytes}};
+    add_defaults(input.base, json);
     if (study.region) json["slopes"] = slopes_json(input, plans);
     if (const auto& exposed = input.base.extra.exposure) json["exposed_features"] = exposed->features.size();
     const std::string target = result_path(directory);

@@ -21,6 +21,11 @@ std::string calibration_directory(const SceneSpec& scene);
 Json check_calibration(const std::string& path, const std::optional<std::string>& out, int threads, bool print,
                        const Session& session, RunLog& log);
 
+/// Prints the density with its origin, and the keys whose default decides a number on the map.
+void print_defaults(const Prepared& prepared);
+/// Adds the same to the document of --json.
+void add_defaults(const Prepared& prepared, Json& json);
+
 /// Expected resources of a study.
 struct StudyForecast {
     RunEstimate member;                 ///< the central one

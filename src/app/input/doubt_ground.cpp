@@ -179,10 +179,12 @@ void tell_of_unit(const LookedAt& working, const Prepared& prepared, RunLog& log
 void tell(const GroundDoubts& doubts, const LookedAt& here, Prepared& prepared, bool by_frana, RunLog& log) {
     const double working = prepared.scene.grid.cell_size;
     const std::string file = last_part(prepared.ground.file.path);
+    if (prepared.ground.file.data_type == "Byte")
+        log.warn(worded("DTM {1} has whole numbers from 0 to 255 alone: is it a hillshade?", {file}));
     if (const auto& blocks = doubts.blocks) {
         const double side = std::min(blocks->columns, blocks->rows);
         // Working cells as large as the blocks are right again.
-        if (by_frana || side * here.cell_size > 1.25 * working) {
+        if (by_frana || side * here.cell_size > 1.1 * working) {
             log.warn(worded(
                 blocks->is_blurred ? worded("DTM {3}: steps every {2} cells on {1} % of the path: copied cells, "
                                             "interpolated. Take the original")
@@ -213,6 +215,13 @@ void tell(const GroundDoubts& doubts, const LookedAt& here, Prepared& prepared, 
         prepared.doubts.push_back(worded("{1} pits of {2} m in the DTM's path: run-out unreliable",
                                          {numeral(grouped(pits->cells)), numeral(number_text(pits->value, 6))}));
     }
+    if (const auto& dam = doubts.dam)
+        log.warn(worded("DTM {3}: a dam of {1} m across the path, at {2}: open bridges and culverts",
+                        {numeral(number_text(dam->height, 2)), here.at(dam->place), file}));
+    if (const auto& houses = doubts.houses)
+        log.warn(worded(
+            "DTM {4}: {1} houses of about {2} m in the path, first at {3}: take bare ground",
+            {numeral(grouped(houses->count)), numeral(number_text(houses->height, 2)), here.at(houses->place), file}));
     if (const auto& rough = doubts.rough)
         log.warn(
             worded("DTM {4}: {1} % of the path stands out by about {2} m, most at {3}. Trees or noise: take a model "

@@ -82,6 +82,12 @@ std::optional<double> number_from_text(const std::string& text) {
     return value;
 }
 
+std::string comma_remedy(const std::string& text) {
+    const std::size_t comma = text.find(',');
+    const bool is_number = comma != text.npos && number_from_text(text.substr(0, comma) + '.' + text.substr(comma + 1));
+    return is_number ? "Write the decimals after a point, not a comma" : "";
+}
+
 std::optional<std::int64_t> integer_from_text(const std::string& text) {
     return whole_text<std::int64_t>(text);
 }

@@ -23,6 +23,8 @@ std::string trimmed(const std::string& text);
 /// Reads a finite number with a decimal point from the whole text; none otherwise.
 std::optional<double> number_from_text(const std::string& text);
 std::optional<std::int64_t> integer_from_text(const std::string& text);
+/// What to write instead of a text that is no number; empty without a comma between its digits.
+std::string comma_remedy(const std::string& text);
 /// Reads on, true, yes, 1 and off, false, no, 0.
 std::optional<bool> boolean_from_text(const std::string& text);
 

@@ -88,10 +88,7 @@ ParameterOf<Spec> parameter(const std::string& name, const std::string& type, Me
 inline auto number_reader(Range range) {
     return [range](auto& target, const std::string& text) -> std::optional<ValueProblem> {
         const auto value = number_from_text(text);
-        if (!value) {
-            const bool comma = text.find(',') != std::string::npos;
-            return ValueProblem{"is not a number", comma ? "Write the decimals after a point, not a comma" : ""};
-        }
+        if (!value) return ValueProblem{"is not a number", comma_remedy(text)};
         if (!range.has(*value)) return ValueProblem{"is out of range", ""};
         target = *value;
         return std::nullopt;
@@ -265,7 +262,7 @@ ParameterOf<Spec> source(const std::string& name, Member member, const std::stri
         name, "text", member,
         [range, allowed](auto& target, const std::string& text) -> std::optional<ValueProblem> {
             const auto value = source_from_text(text);
-            if (!value || !allowed(value->kind)) return ValueProblem{"is not understood", ""};
+            if (!value || !allowed(value->kind)) return ValueProblem{"is not understood", comma_remedy(text)};
             if (value->kind == Kind::number && !range.has(value->number)) return ValueProblem{"is out of range", ""};
             target = *value;
             return std::nullopt;

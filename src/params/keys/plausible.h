@@ -18,9 +18,10 @@ struct PlausibleRange {
     double factor = 1;
     bool is_refused = false;      ///< outside the range, but for 0; else a warning
     const char* above = nullptr;  ///< what is said of greater values; null: `reading`
+    const char* zero = nullptr;   ///< what is said of 0; null: it is plausible
 
     [[nodiscard]] bool has(double value) const noexcept {
-        return (value >= least && value <= most) || (is_refused && value == 0);
+        return value == 0 ? zero == nullptr : value >= least && value <= most;
     }
     /// "0.32 as a coefficient is 17.7 degrees: use material.friction-coefficient"
     [[nodiscard]] Sentence meant(double value) const;

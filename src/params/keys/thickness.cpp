@@ -80,7 +80,7 @@ Parameter thickness_parameter() {
         "release.thickness", "text", FRANA_MEMBER(release.thickness),
         [](std::optional<ThicknessSpec>& target, const std::string& value) -> std::optional<ValueProblem> {
             const auto spec = thickness_from_text(value);
-            if (!spec) return ValueProblem{"is not understood", ""};
+            if (!spec) return ValueProblem{"is not understood", comma_remedy(value)};
             if (spec->kind == nullptr && !(spec->metres > 0))
                 return ValueProblem{"is not a thickness", "It must be greater than 0 m"};
             target = spec;

@@ -80,7 +80,7 @@ SceneReading read_scene(const std::string& path, const std::vector<std::string>&
     check_scene(reading.scene, reader.given(), path, reading.problems);
     for (const std::string& name : reader.given()) {
         const Parameter* const key = find_parameter(scene_parameters(), name);
-        if (key == nullptr || key->type != "number") continue;
+        if (key == nullptr || (key->type != "number" && key->section != "structured")) continue;
         const auto value = number_from_text(key->write(reading.scene).value_or(""));
         if (const auto warning = value ? implausible(name, *value) : std::nullopt) reading.warnings.push_back(*warning);
     }

@@ -26,6 +26,10 @@ double waves(double x, double y) {
     return bed(x, y) + 4 * std::sin(x / 90 + 1) * std::cos(y / 70) + 0.02 * y;
 }
 
+double channel(double x, double y) {
+    return bed(x, y) + 0.3 * std::abs(y - 450) + 0.1 * (2100 - x);
+}
+
 class GroundDoubts : public TinyScene {
   protected:
     static constexpr double k_wide = 2100, k_high = 900;
@@ -140,6 +144,7 @@ TEST_F(GroundDoubts, CopiedCellsAreToldWithTheirFactorAndFranasOwnResamplingIsRi
 
 TEST_F(GroundDoubts, CopiedCellsOfOtherFactorsAreTold) {
     for (const auto& [coarse, words] : {std::pair{20.0, "blocks of 2 x 2"},
+                                        {12.5, "equal cells"},
                                         {15.0, "blocks of 1.5 x 1.5"},
                                         {33.0, "blocks of 3.3 x 3.3"},
                                         {90.0, "blocks of 9 x 9"}}) {
@@ -169,6 +174,28 @@ TEST_F(GroundDoubts, CopiedCellsAreToldThoughTheyWereInterpolatedOrHaveNoise) {
     }
 }
 
+// Then brought to another coordinate system: the blocks lie askew.
+TEST_F(GroundDoubts, CopiedCellsAreToldThoughTheyLieAskew) {
+    const auto turned = [](const Elevation& ground, bool interpolated) -> Elevation {
+        return [=](double x, double y) {
+            const double angle = 2.5 * std::numbers::pi / 180, u = x * std::cos(angle) - y * std::sin(angle),
+                         v = x * std::sin(angle) + y * std::cos(angle), west = std::floor(u / 10 - 0.5) * 10 + 5,
+                         south = std::floor(v / 10 - 0.5) * 10 + 5, a = (u - west) / 10, b = (v - south) / 10;
+            if (!interpolated) return ground(std::round(a) * 10 + west, std::round(b) * 10 + south);
+            return (1 - b) * ((1 - a) * ground(west, south) + a * ground(west + 10, south)) +
+                   b * ((1 - a) * ground(west, south + 10) + a * ground(west + 10, south + 10));
+        };
+    };
+    for (const bool interpolated : {false, true}) {
+        write_grid("bed", 10, turned(copied(30, waves), interpolated));
+        expect_words(doubts(), {"% of the path", " cells"});
+    }
+    write_grid("bed", 10, turned(waves, true));
+    EXPECT_EQ(doubts(), "");
+    write_grid("bed", 10, turned(waves, false));  // by nearest: its rows are shifted by a cell here and there
+    EXPECT_NE(doubts(), "");
+}
+
 TEST_F(GroundDoubts, WhatIsNotGroundIsToldWithItsPlace) {
     const auto gentle = [](double x, double y) { return 0.15 * waves(x, y); };
     struct Case {
@@ -181,9 +208,9 @@ TEST_F(GroundDoubts, WhatIsNotGroundIsToldWithItsPlace) {
         {[&](double x, double y) { return std::round(gentle(x, y)); }, {"level between steps of 1 m", "with decimals"}},
         {[](double x, double y) { return 10 * std::round(waves(x, y) / 10); }, {"level between steps of 10 m"}},
         {[](double x, double y) { return waves(x, y) + (x > 400 ? 4 : 0); },
-         {"a straight step of 4", "E 527395", "If tiles meet there"}},
+         {"a straight step of 4", "E 527405", "If tiles meet there"}},
         {[](double x, double y) { return waves(x, y) + (x + y > 1e4 || y > 450 ? 48 : 0); },
-         {"a straight step of 48 m", "N 5094455"}},
+         {"a straight step of 48 m", "N 5094445"}},
         // Of tiles in another coordinate system, turned by 5 and by 30 degrees; the second was interpolated.
         {[](double x, double y) { return waves(x, y) + (x - 0.0875 * y > 400 ? 20 : 0); }, {"a straight step of"}},
         {[](double x, double y) { return waves(x, y) + 20 * std::clamp((x - 0.577 * y - 150) / 12, 0.0, 1.0); },
@@ -204,6 +231,61 @@ TEST_F(GroundDoubts, WhatIsNotGroundIsToldWithItsPlace) {
         const bool is_zero = one.words.size() == 2 && one.words.front().find("are 0") != std::string::npos;
         EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), is_zero ? 2 : 1) << told;
     }
+}
+
+// Trees in the path alone, on a tenth of what can be reached; beside it they change nothing.
+TEST_F(GroundDoubts, TreesAreSoughtWhereTheFlowComes) {
+    std::mt19937 generator(1);
+    std::uniform_real_distribution<double> chance(0, 1);
+    const auto trees = [&](bool in_path) -> Elevation {
+        return [&, in_path](double x, double y) {
+            const bool here = std::abs(y - 450) < 90;
+            return channel(x, y) + (here == in_path && chance(generator) < 0.4 ? 5 + 15 * chance(generator) : 0);
+        };
+    };
+    write_grid("bed", 10, trees(true));
+    expect_words(doubts(), {"% of the path stands out by about", "bare ground"});
+    write_grid("bed", 10, trees(false));
+    EXPECT_EQ(doubts(), "");
+}
+
+TEST_F(GroundDoubts, HousesOfASurfaceModelAreTold) {
+    const auto with_houses = [](int count) -> Elevation {
+        return [count](double x, double y) {
+            const double i = std::floor((x - 650) / 60), in = x - 650 - 60 * i;  // a row of them down the path
+            const bool inside = i >= 0 && i < count && in < 20 && std::abs(y - 440) < 15;
+            return inside ? channel(650 + 60 * i, 450) + 14 - 0.2 * std::abs(y - 440) : channel(x, y);
+        };
+    };
+    write_grid("bed", 5, with_houses(5));
+    expect_words(doubts(), {"DTM bed.asc: 5 houses of about", "take bare ground"});
+    write_grid("bed", 5, with_houses(2));
+    EXPECT_EQ(doubts(), "");
+}
+
+// A road on a fill, whose culvert the model does not have: the flow stops behind it. A hump of the ground is none.
+TEST_F(GroundDoubts, ADamAcrossTheChannelIsTold) {
+    write_grid("bed", 10, [&](double x, double y) { return channel(x, y) + (std::abs(x - 500) < 10 ? 12 : 0); });
+    expect_words(doubts(), {"DTM bed.asc: a dam of", "E 5274", "bridges and culverts"});
+    write_grid("bed", 10, [&](double x, double y) {
+        return std::max(channel(x, y), std::abs(x - 800) < 10 ? channel(800, 450) + 15 : 0);
+    });
+    expect_words(doubts(), {"DTM bed.asc: a dam of 12 m", "E 527805"});
+    write_grid("bed", 10, channel);
+    EXPECT_EQ(doubts(), "");
+    write_grid("bed", 10,
+               [&](double x, double y) { return channel(x, y) + 20 * std::exp(-std::pow((x - 700) / 120, 2)); });
+    EXPECT_EQ(doubts(), "");
+}
+
+TEST_F(GroundDoubts, AHillshadeIsTold) {
+    write_grid("bed", 10, [](double x, double y) { return std::clamp(std::round(waves(x, y) / 2), 0.0, 255.0); });
+    write("bytes.vrt", "<VRTDataset rasterXSize=\"210\" rasterYSize=\"90\"><SRS>EPSG:32632</SRS><GeoTransform>" +
+                           std::to_string(k_west) + ", 10, 0, " + std::to_string(k_south + k_high) +
+                           ", 0, -10</GeoTransform><VRTRasterBand dataType=\"Byte\" band=\"1\"><SimpleSource>"
+                           "<SourceFilename relativeToVRT=\"1\">bed.asc</SourceFilename></SimpleSource>"
+                           "</VRTRasterBand></VRTDataset>");
+    expect_words(doubts({"terrain.dtm=bytes.vrt"}), {"DTM bytes.vrt has whole numbers from 0 to 255", "hillshade"});
 }
 
 // A warning that comes without a fault is none.

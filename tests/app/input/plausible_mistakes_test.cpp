@@ -79,7 +79,18 @@ TEST_F(Mistakes, UnusualValuesAreToldWithWhatWasMeant) {
              {{"release.thickness=250"}, {"250 m thick", "if in cm, write 2.5"}},
              {{"release.thickness=30"}, {"release 30 m thick, 44.7 m wide: if in cm, write 0.3"}},
              {{"release.thickness=50"}, {"if in cm, write 0.5"}},
+             {{"release.thickness=1500"}, {"if in mm, write 1.5"}},
              {{"release.thickness=80"}, {"if in cm, write 0.8"}},
+             {{"material.bed-friction=coulomb, turbulence, cohesion", "material.cohesion=5"},
+              {"material.cohesion = 5 is unusual: if it is in kPa, write 5000"}},
+             {{"material.bed-friction=coulomb, turbulence, bingham", "material.viscosity=50",
+               "material.yield-stress=2"},
+              {"material.yield-stress = 2 is unusual: if it is in kPa, write 2000"}},
+             {{"material.surface-pressure=101325"}, {"material.surface-pressure = 101325 is unusual", "write 0"}},
+             {{"entrainment.erosion=shear-stress", "entrainment.erodible-depth=150"},
+              {"entrainment.erodible-depth = 150 is unusual: if it is in cm, write 1.5"}},
+             {{"release.velocity=10", "release.direction=270"},
+              {"release.direction = 270 goes uphill: the ground falls towards 90 degrees"}},
          }) {
         const Outcome outcome = check(one.keys);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -89,6 +100,90 @@ TEST_F(Mistakes, UnusualValuesAreToldWithWhatWasMeant) {
     }
     EXPECT_EQ(check({}).err, "");
     EXPECT_EQ(check({"release.velocity=10", "release.direction=90", "material.density=300"}).err, "");
+    EXPECT_EQ(check({"release.velocity=10", "release.direction=30"}).err, "");
+    EXPECT_EQ(check({"material.bed-friction=coulomb, turbulence, cohesion", "material.cohesion=200"}).err, "");
+}
+
+TEST_F(Mistakes, ADecimalCommaIsNamed) {
+    for (const std::string key : {"release.thickness=2,5", "release.velocity=1,5", "material.density=1,9"})
+        expect_refused(check({key}), {key.substr(0, key.find('=')), "decimals after a point, not a comma"});
+    EXPECT_EQ(check({"release.thickness=raster"}).err.find("comma"), std::string::npos);
+}
+
+TEST_F(Mistakes, AZoneWithoutFrictionIsTold) {
+    write_dtm([](int, int column) { return column < 30 ? 0 : 0.3; }, true, "mu.asc");
+    expect_words(check({"zones.friction-coefficient=raster:mu.asc"}).err,
+                 {"zones.friction-coefficient = 0 is unusual: that ground has no friction"});
+    EXPECT_EQ(check({"material.friction-angle=0"}).err.find("unusual"), std::string::npos) << "the user's word";
+}
+
+TEST_F(Mistakes, ATablesVolumeInThousandsIsTold) {
+    write("own.ini", own_friction_table(0.2));
+    write("table.ini",
+          "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
+          "friction-table = own.ini\nreturn-period = 30\ndensity = 300\n[time]\nend = 4\n" +
+              k_numbers_only);
+    const auto told = [&](const std::string& volume) {
+        const Outcome outcome = frana({"check", "table.ini", "--set", "material.table-volume=" + volume});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return outcome.err;
+    };
+    expect_words(told("25"), {"material.table-volume = 25 is unusual: if it is in 1000 m3, write 25000"});
+    EXPECT_EQ(told("25000"), "");
+}
+
+TEST_F(Mistakes, AnInflowUphillOrAlongItsFlowIsTold) {
+    write("flood.csv", "time_s,discharge_m3/s,velocity_m/s\n0,1,2\n4,1,2\n");
+    const std::string file = "inflow.line=line.geojson", csv = "inflow.hydrograph=flood.csv";
+    expect_words(check({file, csv, "inflow.direction=280"}).err, {"inflow.direction = 280 goes uphill", "90 degrees"});
+    EXPECT_EQ(check({file, csv, "inflow.direction=60"}).err, "");
+    EXPECT_EQ(check({file, csv}).err, "");
+    const std::string across = "[[527030,5094060],[527030,5094090]]", along = "[[527030,5094060],[527080,5094062]]";
+    std::string line = read_text(path("line.geojson"));
+    line.replace(line.find(across), across.size(), along);
+    write("line.geojson", line);
+    expect_words(check({file, csv}).err, {"inflow.line runs down a slope of 50 %: draw it across the flow"});
+}
+
+TEST_F(Mistakes, TheLikelyCauseComesFirst) {
+    const std::string told = check({"release.thickness=150"}).err;
+    EXPECT_EQ(told.find("release 150 m thick, 44.7 m wide: if in cm, write 1.5"),
+              std::string("frana: warning: ").size())
+        << told;
+}
+
+// A gap that stands for a building holds the flow as well as one of the survey.
+TEST_F(Mistakes, GroundWithoutElevationThatHoldsTheFlowAsAWallIsTold) {
+    write_dtm([](int, int column) { return column >= 24 && column < 28 ? -9999.0 : 300 - 2.0 * column; });
+    const auto told = [&](const std::string& name, const std::string& end) {
+        return frana({"run", "scene.ini", "--out", name, "--set", "terrain.nodata-policy=wall", "--set",
+                      "time.end=" + end})
+            .err;
+    };
+    expect_words(told("held", "30"), {"terrain.nodata-policy = wall holds back flow up to"});
+    EXPECT_EQ(told("free", "1").find("holds back flow"), std::string::npos) << "the flow has not come there";
+}
+
+TEST_F(Mistakes, AGaugeThatStaysDryIsNamed) {
+    write("gauges.geojson",
+          R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
+          R"("features":[{"type":"Feature","properties":{"name":"bridge"},"geometry":{"type":"Point","coordinates":)"
+          R"([527250,5094010]}},{"type":"Feature","properties":{"name":"head"},"geometry":{"type":"Point",)"
+          R"("coordinates":[527045,5094075]}}]})");
+    const Outcome run = frana({"run", "scene.ini", "--out", "result", "--set", "output.gauges=gauges.geojson"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    expect_words(run.err, {"gauges not reached: bridge\n"});
+}
+
+TEST_F(Mistakes, CheckOfARegionPrintsDensityAndDefaults) {
+    write("region.ini", "[region]\nscene = scene.ini\n");
+    write("study.ini", "[study]\nscene = scene.ini\nsamples = 2\n[vary]\nmaterial.friction-angle = uniform(16, 20)\n");
+    for (const std::string file : {"region.ini", "study.ini"}) {
+        const Outcome check = frana({"check", file});
+        EXPECT_EQ(check.exit_code, 0) << check.err;
+        expect_words(check.out, {"density", "kg/m3, from:", "at default", "numerics.minimum-depth = "});
+        expect_words(frana({"check", file, "--json"}).out, {"density_kg_m3", "left_at_default"});
+    }
 }
 
 TEST_F(Mistakes, ElevationsAsThicknessAreRefused) {
