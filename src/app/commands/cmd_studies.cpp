@@ -126,13 +126,12 @@ std::int64_t extended_samples(const study::StudySpec& study, const std::string& 
     const std::string all = std::to_string(static_cast<std::int64_t>(members > 0 ? members : study.samples) + *count),
                       anew = "run the study anew with study.samples = " + all + " and --overwrite";
     if (!study.is_extensible())
-        refuse(study.per_polygon() ? "each polygon is a member, and there are no others"
-               : study.sampling == study::Sampling::table
+        refuse(study.sampling == study::Sampling::table
                    ? "the table gives all members"
                    : "a design of sampling = " + name_of(study.sampling) + " is made for its number of members",
                "sampling = sobol or random",
-               study.per_polygon() || study.sampling == study::Sampling::table
-                   ? "Add to the layer or the table and run the study anew with --overwrite"
+               study.sampling == study::Sampling::table
+                   ? "Add to the table and run the study anew with --overwrite"
                    : "To keep the design, " + anew + "; with sampling = sobol members can be added later");
     if (members == 0)
         refuse("there is no complete study with the records of its members in " + target, "",

@@ -243,7 +243,7 @@ WritingForecast forecast_writing(const Prepared& prepared, const RunEstimate& ex
 WritingForecast forecast_study_writing(const study::StudyInput& input, const RunEstimate& member,
                                        const std::optional<TimeEstimate>& trial, int threads) {
     const OutputSpec& output = input.base.spec.output;
-    const bool is_region = input.reading.study.per_polygon();
+    const bool is_region = input.reading.study.region.has_value();
     const auto stored = static_cast<double>(member.stored_cells);
     // A map for each threshold; quantiles, mean and deviation of two quantities, arrivals, counts.
     const double maps = is_region

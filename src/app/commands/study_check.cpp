@@ -198,8 +198,7 @@ void print_study(const study::StudyInput& input, const StudyForecast& forecast, 
     std::printf("Study %s is ready to run.\n\nScene %s\n\nKeys that vary\n", study.file.c_str(), study.scene.c_str());
     for (const study::Variation& one : study.vary) print_fact(one.key, one.distribution.text);
     if (study.vary.empty())
-        for (const std::string& key : input.table.keys)
-            print_fact(key, study.per_polygon() ? "a polygon for each member" : "as in " + study.table);
+        for (const std::string& key : input.table.keys) print_fact(key, "as in " + study.table);
     for (const study::TableColumn& column : input.table.columns)
         if (column.use != study::TableColumn::Use::key) print_fact(column.name, use_of(column.use));
     for (const study::Correlation& one : study.correlate)
@@ -207,8 +206,7 @@ void print_study(const study::StudyInput& input, const StudyForecast& forecast, 
     std::printf("\nMembers\n");
     const auto members = input.members();
     print_fact("members", std::to_string(members) + (study.until ? " at most" : "") + ", sampling " +
-                              study::name_of(study.sampling) +
-                              (study.per_polygon() ? "" : ", seed " + std::to_string(study.seed)));
+                              study::name_of(study.sampling) + ", seed " + std::to_string(study.seed));
     if (const auto& exposed = input.base.extra.exposure)
         print_fact("exposed", grouped(static_cast<double>(exposed->features.size())) + " features");
     print_scheme(input);

@@ -53,7 +53,7 @@ enum class Sampling {
     importance,
     morris,
     table,
-    polygons  ///< no sampling: each polygon of the release perimeter is a member of its own
+    polygons  ///< of a region: no sampling, each polygon of the release perimeter is a member
 };
 
 /// How the values of members are found. A method is a row of k_samplings; its points are drawn in openturns/module.cpp.
@@ -136,9 +136,8 @@ struct StudySpec {
     std::vector<std::string> set;  ///< "key=value" for all members, as after `--set`; paths absolute
     std::vector<Variation> vary;   ///< in the order of the file
     std::vector<Correlation> correlate;
-    std::optional<RegionSpec> region;  ///< only with polygons
+    std::optional<RegionSpec> region;  ///< a polygon for each member
 
-    [[nodiscard]] bool per_polygon() const noexcept { return sampling == Sampling::polygons; }
     /// Members of a group of its sampling; 0: no groups.
     [[nodiscard]] std::size_t group_size() const noexcept {
         const std::size_t more = method_of(sampling).more_in_group;

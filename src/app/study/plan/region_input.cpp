@@ -132,7 +132,7 @@ std::size_t largest_sound(const std::vector<double>& sizes, const std::vector<Sl
     std::size_t largest = 0;
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         if (sizes[i] > sizes[largest]) largest = i;
-        if (!slopes.empty() && !slopes[i].problem.empty()) continue;
+        if (!slopes[i].problem.empty()) continue;
         if (!best || sizes[i] > sizes[*best]) best = i;
     }
     return best.value_or(largest);

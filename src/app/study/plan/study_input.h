@@ -30,7 +30,7 @@ struct Slope {
 struct PolygonMembers {
     SampleTable table;            ///< release.perimeter-filter selects the polygon; of a region also its columns
     std::vector<double> sizes;    ///< areas, by member
-    std::vector<Slope> slopes{};  ///< of a region, by member
+    std::vector<Slope> slopes{};  ///< by member
 };
 
 /// A study with everything checked that can be checked before its members run.

@@ -89,7 +89,7 @@ std::optional<MemberRecord> run_member(const StudyInput& input, const MemberTask
         }
         if (result.stop_reason == StopReason::requested) return std::nullopt;
         RecordExtras extras = record_extras(input.base.spec);
-        extras.pressure = extras.pressure || input.reading.study.per_polygon() || input.base.extra.exposure;
+        extras.pressure = extras.pressure || input.reading.study.region || input.base.extra.exposure;
         extras.deposit = input.kept_deposit;
         MemberRecord record = record_of(task.member, result, scene, input.base.spec.output.trace_threshold, extras);
         warn_without_pages(prepared, result, log);

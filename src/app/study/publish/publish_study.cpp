@@ -36,17 +36,15 @@
 namespace frana::app::study {
 namespace {
 
-/// The finished members, of a region those of one scenario.
+/// The finished members of a region, or those of one scenario.
 std::vector<UnionMember> members_of(const StudyInput& input, const StudyResult& result,
                                     const std::optional<std::string>& scenario) {
     std::vector<UnionMember> members;
     for (std::size_t i = 0; i < result.finished_at.size(); ++i) {
         UnionMember member{result.members[result.finished_at[i]].member, result.finished.records[i], {}};
-        if (!input.slopes.empty()) {
-            const Slope& slope = input.slopes[member.number];
-            if (scenario && slope.scenario != *scenario) continue;
-            member.return_period = slope.return_period;
-        }
+        const Slope& slope = input.slopes[member.number];
+        if (scenario && slope.scenario != *scenario) continue;
+        member.return_period = slope.return_period;
         members.push_back(std::move(member));
     }
     return members;
@@ -131,11 +129,11 @@ void write_scenario(const StudyInput& input, const std::vector<UnionMember>& mem
                     words_of(input.base.spec), directory);
 }
 
-/// Writes the terrain and the rasters of a study with a polygon for each member: the union of all, how many reach each
-/// cell, which is the worst; of a region also those of each scenario, and the degree of hazard where it has return
-/// periods. Adds the area of the union and those of the degrees to the facts.
+/// Writes the terrain and the rasters of a region: the union of all slopes, how many reach each cell, which is the
+/// worst; the same of each scenario, and the degree of hazard where it has return periods. Adds the area of the union
+/// and those of the degrees to the facts.
 void publish_unions(StudyInput& input, const StudyResult& result, const ResultDirectory& directory, StudyFacts& facts) {
-    const auto& region = input.reading.study.region;
+    const RegionSpec& region = *input.reading.study.region;
     const std::vector<UnionMember> all = members_of(input, result, std::nullopt);
     {
         const Raster depth = write_union(input, all, result.grid,
@@ -148,9 +146,9 @@ void publish_unions(StudyInput& input, const StudyResult& result, const ResultDi
         facts.reached_threshold = input.base.spec.output.trace_threshold;
         facts.reached_m2 = {covered_area(depth, facts.reached_threshold)};
     }
-    if (region && region->return_period)
-        facts.degrees = write_degree(input, worst_degree(all, result.grid, region->degrees), directory);
-    if (!region || !region->scenario) return;
+    if (region.return_period)
+        facts.degrees = write_degree(input, worst_degree(all, result.grid, region.degrees), directory);
+    if (!region.scenario) return;
     std::map<std::string, bool> scenarios;
     for (const UnionMember& member : all) scenarios[input.slopes[member.number].scenario] = true;
     std::vector<std::string> names;
@@ -331,7 +329,7 @@ struct StudyComparison {
 
 /// Writes the scores. A survey that cannot be compared does not fail the study.
 std::optional<StudyComparison> compare_study(const StudyInput& input, const ResultDirectory& directory, RunLog& log) {
-    if (!input.base.scar || input.reading.study.per_polygon()) return std::nullopt;
+    if (!input.base.scar || input.reading.study.region) return std::nullopt;
     Survey survey;
     survey.scar = parts_of(input.base.scar->features);
     survey.scar_label = input.base.spec.observed.perimeter.value_or("");
@@ -398,7 +396,7 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
             log.warn_first({*doubt});
             input.base.doubts.push_back(*doubt);
         }
-        if (input.reading.study.per_polygon()) {
+        if (is_region) {
             publish_unions(input, result, directory, facts);
         } else {
             publish_study_ground(input, directory);
@@ -416,8 +414,7 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
     }
     write_text_file(directory.path(k_inputs_file), recorded_inputs(inputs_of(input), directory.target()));
     write_text_file(directory.path(k_member_table), members_csv(input, result));
-    if (!input.reading.study.per_polygon())
-        write_text_file(directory.path(k_sensitivity_table), sensitivity_csv(input, figures));
+    if (!is_region) write_text_file(directory.path(k_sensitivity_table), sensitivity_csv(input, figures));
     write_kept_members(input, result, directory);
     // Maps show what the summary says; what drawing adds to it comes at the end.
     write_text_file(directory.path(k_summary_file), study_summary_json(input, result, facts));

@@ -221,7 +221,7 @@ class Builder {
             if (std::isfinite(first)) values_[feature].arrival = static_cast<double>(first);
         });
         std::vector<ExposureRow> rows = exposure_rows(layer_, values_, map);
-        input_.reading.study.per_polygon() ? add_sources(rows) : add_probabilities(rows);
+        input_.reading.study.region ? add_sources(rows) : add_probabilities(rows);
         return rows;
     }
 
@@ -276,8 +276,7 @@ class Builder {
                 row.numbers.emplace_back("sources_upper", row.is_on_map() ? static_cast<double>(most) : k_no_data);
             }
             row.numbers.emplace_back("worst_source", row.is_reached() ? static_cast<double>(member) : k_no_data);
-            if (!input_.slopes.empty())
-                row.texts.emplace_back("worst_name", row.is_reached() ? input_.slopes[member].name : "");
+            row.texts.emplace_back("worst_name", row.is_reached() ? input_.slopes[member].name : "");
         });
     }
 
@@ -305,7 +304,7 @@ void warn_of_unknown_exposure(const StudyInput& input, RunLog& log) {
 }
 
 ReachedBy exposure_reached_by(const StudyInput& input) {
-    return input.reading.study.per_polygon() ? ReachedBy::any_slope : ReachedBy::any_run;
+    return input.reading.study.region ? ReachedBy::any_slope : ReachedBy::any_run;
 }
 
 std::optional<ExposureTotals> publish_study_exposure(const StudyInput& input, const StudyResult& result,
@@ -468,7 +467,7 @@ void write_member(const StudyInput& input, std::size_t member, const MemberRecor
 
 void load_study_drawing(const StudyInput& input, Loading loading) {
     const OutputSpec& output = input.base.spec.output;
-    const bool films = output.animation && !input.reading.study.per_polygon();
+    const bool films = output.animation && !input.reading.study.region;
     load_drawing(films || output.maps.front() != "off", films, loading);
 }
 
@@ -492,7 +491,7 @@ void draw_study(const StudyInput& input, const StudyResult& result, const std::v
             is_drawn("maps/" + name, log,
                      [&] { drawer.draw(written.map_layer(name), false, written.path("maps/" + name)); });
         }
-        if (!output.charts || input.reading.study.per_polygon()) return;  // of sources there is no distribution
+        if (!output.charts || input.reading.study.region) return;  // of sources there is no distribution
         make_drawing_folder(written.path("charts"));
         draw_chart_rows(k_charts, ChartData{input, result, figures}, source, written.directory(), output.report, log);
     });

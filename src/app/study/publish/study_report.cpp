@@ -31,7 +31,7 @@
 namespace frana::app::study {
 namespace {
 
-constexpr std::size_t k_keys = 8, k_names = 3, k_name_letters = 40, k_slopes = 20;
+constexpr std::size_t k_keys = 8, k_names = 3, k_name_letters = 40;
 
 /// A figure of the runs: 5, 50 and 95 % do not exceed these.
 struct Spread {
@@ -120,7 +120,7 @@ Document reached_by_runs(const StudyResult& result, const StudyFacts& facts, con
 
 /// The name of a source, else its number.
 std::string source_name(const StudyInput& input, std::size_t member) {
-    const bool named = !input.slopes.empty() && !input.slopes[member].name.empty();
+    const bool named = !input.slopes[member].name.empty();
     return named ? elided(valid_utf8(input.slopes[member].name), k_name_letters) : std::to_string(member);
 }
 
@@ -159,7 +159,7 @@ std::string scheme_told(const StudyFacts& facts, const Words& words) {
 std::string runs_sentence(const StudyInput& input, const StudyResult& result, const Words& words) {
     const StudySpec& study = input.reading.study;
     const std::string finished = std::to_string(result.finished_at.size()), all = std::to_string(result.members.size());
-    if (study.per_polygon()) return words("{1} of {2} sources were computed, each failing alone.", {finished, all});
+    if (study.region) return words("{1} of {2} sources were computed, each failing alone.", {finished, all});
     return words(
         "{1} of {2} runs were computed; their values are drawn from the distributions (sampling {3}, seed {4}).",
         {finished, all, name_of(study.sampling), std::to_string(study.seed)});
@@ -170,7 +170,7 @@ Document sure(const StudyInput& input, const StudyResult& result, const StudyFac
     const StudySpec& study = input.reading.study;
     std::string text = runs_sentence(input, result, words);
     if (result.failed() > 0) text += " " + words("{1} failed and are in no map.", {std::to_string(result.failed())});
-    if (study.per_polygon()) return Document().paragraph(words("How sure."), text + scheme_told(facts, words));
+    if (study.region) return Document().paragraph(words("How sure."), text + scheme_told(facts, words));
     text += " " + words(
                       "The standard error of the probabilities is at most {1} %, on average {2} % where it is not 0: "
                       "it measures the number of runs, not how well model, terrain and distributions describe "
@@ -238,32 +238,6 @@ Document figures_table(const StudyResult& result, const Words& words) {
         .add(table);
 }
 
-Document slopes_table(const StudyInput& input, const StudyResult& result, const Words& words) {
-    const ReportNumbers number(words);
-    const auto run_out = place_of_figure(result, k_run_out_key), volume = place_of_figure(result, "volume_m3"),
-               area = place_of_figure(result, "covered_area_m2"), depth = place_of_figure(result, "max_depth_m");
-    if (!run_out) return {};
-    const auto of = [&](std::size_t i, const std::optional<std::size_t>& figure) {
-        return figure ? result.members[i].figures[*figure].value : k_no_data;
-    };
-    std::vector<std::size_t> order = result.finished_at;
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return of(a, run_out) > of(b, run_out); });
-    Table table({words("source"), words("volume [m³]"), words("Run-out [m]"), words("covered area [m²]"),
-                 words("greatest depth [m]")});
-    for (std::size_t i = 0; i < std::min(k_slopes, order.size()); ++i) {
-        const std::size_t member = result.members[order[i]].member;
-        table.row({source_name(input, member), number.grouped(of(order[i], volume)),
-                   number.grouped(of(order[i], run_out)), number.grouped(of(order[i], area)),
-                   number(of(order[i], depth), 3)});
-    }
-    Document sources;
-    sources.subheading(words("Sources")).add(table);
-    if (order.size() > k_slopes)
-        sources.small(words("The {1} that come farthest; members.csv has all.", {std::to_string(k_slopes)}));
-    return sources;
-}
-
 Document degrees_table(const std::vector<HazardArea>& degrees, const Words& words) {
     if (degrees.empty()) return {};
     const ReportNumbers number(words);
@@ -281,7 +255,7 @@ Document degrees_table(const std::vector<HazardArea>& degrees, const Words& word
 /// The first page of a study's report: what fails, what varies, where it goes in how many of the runs, how
 /// sure that is. Of sources that fail alone: what at least one of them reaches.
 Document study_answer(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {
-    const bool per_polygon = input.reading.study.per_polygon();
+    const bool per_polygon = input.reading.study.region.has_value();
     const std::string not_done =
         per_polygon ? words("Each source is computed with one set of values, not with the range of what is possible.")
                     : words(
@@ -299,13 +273,8 @@ Document study_answer(const StudyInput& input, const StudyResult& result, const 
 
 /// The figures of the runs with their mean and quantiles; of a region the areas of the degrees of hazard.
 Document study_values(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {
-    if (input.reading.study.per_polygon()) return degrees_table(facts.degrees, words);
+    if (input.reading.study.region) return degrees_table(facts.degrees, words);
     return figures_table(result, words);
-}
-
-/// The sources of a study in which each fails alone, those that come farthest first; empty for others.
-Document study_sources(const StudyInput& input, const StudyResult& result, const Words& words) {
-    return input.reading.study.per_polygon() && input.slopes.empty() ? slopes_table(input, result, words) : Document();
 }
 
 /// Slopes that a report lists; members.csv has all.
@@ -338,7 +307,7 @@ std::string why_open(const MemberEnd& end, const Words& words) {
 /// The section of a report with a region's slopes in their order: name, scenario, volume, run-out, greatest depth and
 /// speed, or why a slope failed; the first k_most_slopes of them. Empty for other studies.
 Document slopes_section(const StudyInput& input, const StudyResult& result, const Words& words) {
-    if (input.slopes.empty()) return {};
+    if (!input.reading.study.region) return {};
     const bool has_scenarios = input.reading.study.region->scenario.has_value(), has_failures = result.failed() > 0;
     const bool has_open = std::any_of(result.members.begin(), result.members.end(), [](const MemberResult& member) {
         return member.failure.empty() && member.end.is_open();
@@ -480,9 +449,8 @@ std::vector<std::string> maps_in_order(const StudyInput& input, const ResultDire
 std::string title_of(const StudyInput& input, const Words& words) {
     const SceneSpec& spec = input.base.spec;
     const std::string name = spec.output.title.value_or(scene_name(spec));
-    return !input.slopes.empty()               ? words("{1}: a region of many slopes", {name})
-           : input.reading.study.per_polygon() ? words("{1}: each source alone", {name})
-                                               : words("{1}: a range of runs", {name});
+    return input.reading.study.region ? words("{1}: a region of many slopes", {name})
+                                      : words("{1}: a range of runs", {name});
 }
 
 void add_inputs(const StudyInput& input, const StudyFacts& facts, const Words& words, Document& page) {
@@ -510,12 +478,11 @@ void write_study_report(const StudyInput& input, const StudyResult& result,
     page.add(exposure_answer(facts.exposure, exposure_reached_by(input), words));
     if (!maps.empty()) page.maps({maps.front()}, folder, words);
     // The first page of paper has room for a short table under its picture.
-    const bool is_short = input.reading.study.per_polygon() || result.figures().size() <= k_figures_on_first_page;
+    const bool is_short = input.reading.study.region || result.figures().size() <= k_figures_on_first_page;
     if (is_short) page.add(study_values(input, result, facts, words));
     page.end_answer();
     if (!is_short) page.add(study_values(input, result, facts, words));
-    page.add(study_sources(input, result, words))
-        .add(exposure_section(facts.exposure, words))
+    page.add(exposure_section(facts.exposure, words))
         .add(slopes_section(input, result, words))
         .heading("maps", words("Maps"));
     if (maps.size() > 1) page.maps({maps.begin() + 1, maps.end()}, folder, words);

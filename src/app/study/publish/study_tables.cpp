@@ -197,7 +197,7 @@ std::string sensitivity_csv(const StudyInput& input, const std::vector<FigureSen
 }
 
 ShownFriction shown_friction(const StudyInput& input) {
-    ShownFriction shown{input.reading.study.per_polygon() ? k_largest_friction : k_central_friction, {}};
+    ShownFriction shown{input.reading.study.region ? k_largest_friction : k_central_friction, {}};
     const bool by_release = !input.base.spec.friction_table.volume.has_value();
     for (const std::string& key : input.table.keys) {
         const std::string section = key.substr(0, key.find('.'));
@@ -233,10 +233,10 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
     Json& varied = json["varied"] = Json::array();
     for (const Variation& one : study.vary)
         varied.push_back({{"key", one.key}, {"distribution", one.distribution.text}});
-    if (study.vary.empty() && !study.per_polygon())
+    if (study.vary.empty() && !study.region)
         for (const std::string& key : input.table.keys) varied.push_back({{"key", key}, {"distribution", "table"}});
     json["effective_members"] = result.finished.effective_size();
-    if (!study.per_polygon()) {
+    if (!study.region) {
         json["largest_standard_error"] = facts.error.largest();
         json["mean_standard_error"] = facts.error.mean();
         json["margin_at_0_and_1"] = facts.least_margin;

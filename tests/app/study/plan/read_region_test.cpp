@@ -31,7 +31,6 @@ TEST_F(ReadRegion, ColumnsAndMatrix) {
         "weak = yellow, yellow, yellow-white\n");
     EXPECT_TRUE(reading.problems.empty()) << describe(reading.problems.list().front());
     const StudySpec& study = reading.study;
-    EXPECT_TRUE(study.per_polygon());
     EXPECT_EQ(study.scene, (file_.parent_path() / "s.ini").string());
     EXPECT_EQ(study.set, (std::vector<std::string>{"time.end=9"}));
     ASSERT_TRUE(study.region.has_value());

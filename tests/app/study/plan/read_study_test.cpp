@@ -75,6 +75,9 @@ TEST_F(ReadStudy, RefusesWhatASamplingCannotDo) {
     const std::vector<Problem> levels = problems(head + "levels = 3\n" + two);
     ASSERT_TRUE(has_problem(levels, "study.levels", "3"));
     EXPECT_NE(levels.front().remedy.find("sobol"), std::string::npos);
+    const std::vector<Problem> polygons = problems(head + "per-polygon = on\n" + two);
+    ASSERT_TRUE(has_problem(polygons, "study.per-polygon", "on"));
+    EXPECT_NE(polygons.front().remedy.find("frana batch"), std::string::npos);
     EXPECT_TRUE(has_problem(problems(head + "sampling = morris\nsamples = 100\n" + two), "study.samples", "100"));
     EXPECT_TRUE(has_problem(problems(head + "sampling = morris\nsamples = 30\n" + two + correlated), "study.sampling",
                             "morris"));
