@@ -241,7 +241,7 @@ WritingForecast forecast_writing(const Prepared& prepared, const RunEstimate& ex
 }
 
 WritingForecast forecast_study_writing(const study::StudyInput& input, const RunEstimate& member,
-                                       const std::optional<TimeEstimate>& trial, int threads) {
+                                       const std::optional<TimeEstimate>& trial) {
     const OutputSpec& output = input.base.spec.output;
     const bool is_region = input.reading.study.region.has_value();
     const auto stored = static_cast<double>(member.stored_cells);
@@ -257,9 +257,6 @@ WritingForecast forecast_study_writing(const study::StudyInput& input, const Run
         const double charts = output.charts && !is_region ? k_study_charts : 0;
         add_pictures(output, maps + charts, stored, forecast);
     }
-    if (is_region) return forecast;
-    forecast.seconds += engine_seconds(member, trial) / threads;
-    add_film(input.base, trial, forecast);
     return forecast;
 }
 

@@ -61,10 +61,9 @@ struct WritingForecast {
 /// its end time and spreads as usual.
 WritingForecast forecast_writing(const Prepared& prepared, const RunEstimate& expected,
                                  const std::optional<TimeEstimate>& trial);
-/// Of `frana ensemble` and `frana batch` of a region, whose members' records are deleted at the end. Contains the
-/// study's median member, which is computed again.
+/// Of `frana ensemble` and `frana batch` of a region, whose members' records are deleted at the end.
 WritingForecast forecast_study_writing(const study::StudyInput& input, const RunEstimate& member,
-                                       const std::optional<TimeEstimate>& trial, int threads);
+                                       const std::optional<TimeEstimate>& trial);
 /// Of an event of `frana calibrate`.
 WritingForecast forecast_event_writing(const Prepared& event, const RunEstimate& member);
 

@@ -252,7 +252,7 @@ StudyForecast forecast_study(const study::StudyInput& input, int threads, bool w
     const auto released = static_cast<std::int64_t>(base.release.area_m2 / base.scene.grid.cell_area());
     const auto records = static_cast<std::int64_t>(input.members());
     forecast.disk_bytes = records * (k_record_head_bytes + k_record_cell_bytes * k_spread * released);
-    forecast.writing = forecast_study_writing(input, forecast.member, forecast.trial, threads);
+    forecast.writing = forecast_study_writing(input, forecast.member, forecast.trial);
     if (input.reading.study.is_extensible())  // k_joined_records
         forecast.writing.disk_bytes += static_cast<double>(forecast.disk_bytes);
     return forecast;

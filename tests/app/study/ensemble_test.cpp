@@ -513,7 +513,7 @@ TEST_F(Ensemble, TheReportHasTheAnswerFirstInTheLanguageOfTheScene) {
     const std::string page = read_text(path("out/report.html")), summary = read_text(path("out/summary.json"));
     for (const std::string& problem : html_problems(page)) ADD_FAILURE() << problem;
     std::size_t before = 0;
-    for (const std::string id : {"answer", "maps", "inputs", "sensitivity", "charts", "median", "warnings"}) {
+    for (const std::string id : {"answer", "maps", "inputs", "sensitivity", "charts", "warnings"}) {
         const std::size_t at = page.find("<h2 id=\"" + id + "\"");
         ASSERT_NE(at, std::string::npos) << id;
         EXPECT_GT(at, before) << id;
@@ -561,24 +561,6 @@ TEST_F(Ensemble, PressureAndIntensityHaveTheProbabilitiesOfWhatTheyAreMadeOf) {
     expect_alike("probability_intensity_2", "probability_depth_0.2");
     expect_alike("probability_intensity_3", "probability_depth_0.5");
     expect_alike("probability_intensity_1", "probability_depth_0.1");  // the default of hazard.minimum-depth
-}
-
-TEST_F(Ensemble, TheMedianMemberIsNamedAndFilmed) {
-    write_scene("stop-when-still = off\nframe-interval = 2\n[output]\nmaps = off\nmap-size = 640x480\n");
-    write_study("samples = 9\n", k_two_keys);
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    const std::string summary = read_text(path("out/summary.json"));
-    const auto median = static_cast<std::size_t>(json_number(summary, "median_member.member"));
-    std::vector<double> areas;
-    for (const auto& row : members()) areas.push_back(std::stod(row.at("covered_area_m2")));
-    const double area = areas.at(median);
-    EXPECT_EQ(json_number(summary, "median_member.value"), area);
-    std::sort(areas.begin(), areas.end());
-    EXPECT_EQ(area, areas[4]);
-    EXPECT_GT(fs::file_size(path("out/animation.mp4")), 1000U);
-    EXPECT_FALSE(fs::exists(path("out/frames")));
-    EXPECT_NE(read_text(path("out/report.html")).find("Film of this member"), std::string::npos);
 }
 
 TEST_F(Ensemble, CheckTellsMembersTimeMemoryAndDisk) {

@@ -405,8 +405,6 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
             publish_study_maps(input, result, directory, facts);
             facts.rare_place = rare_place_of(input, result);
             warn_of_error(input, result, facts, log);
-            facts.median = median_member(result);
-            if (facts.median) film_member(input, result, *facts.median, directory, log);
         }
         write_member_outlines(input, result, directory.path(k_member_outlines));
         facts.exposure = publish_study_exposure(input, result, map, directory);

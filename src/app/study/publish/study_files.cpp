@@ -466,9 +466,7 @@ void write_member(const StudyInput& input, std::size_t member, const MemberRecor
 }
 
 void load_study_drawing(const StudyInput& input, Loading loading) {
-    const OutputSpec& output = input.base.spec.output;
-    const bool films = output.animation && !input.reading.study.region;
-    load_drawing(films || output.maps.front() != "off", films, loading);
+    load_drawing(input.base.spec.output.maps.front() != "off", false, loading);
 }
 
 void draw_study(const StudyInput& input, const StudyResult& result, const std::vector<FigureSensitivity>& figures,

@@ -65,8 +65,7 @@ std::vector<gis::OutlineLayer> known_outlines(const StudyInput& input);
 void write_member(const StudyInput& input, std::size_t member, const MemberRecord& record, const GridSpec& grid,
                   const ResultDirectory& directory, const std::string& folder);
 
-/// Loads what draw_study() and film_member() draw with, before the members run. Throws Error(environment) if it is
-/// missing.
+/// Loads what draw_study() draws with, before the members run. Throws Error(environment) if it is missing.
 void load_study_drawing(const StudyInput& input, Loading loading);
 
 /// Draws the maps and charts that the scene's output.maps and output.charts ask for, with a warning of one that could

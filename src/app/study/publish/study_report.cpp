@@ -412,20 +412,6 @@ Document sensitivity_table(const StudyInput& input, const std::vector<FigureSens
               "interval of 95 %. Q2: part of the variance that polynomials of the keys predict of runs left out."));
 }
 
-Paragraph median_paragraph(const StudyInput& input, const MedianMember& median, const ResultDirectory& directory,
-                           const Words& words) {
-    const ReportNumbers number(words);
-    std::string values;
-    for (const std::string& one : input.table.overrides(median.member)) values += (values.empty() ? "" : ", ") + one;
-    Paragraph told{
-        {{words("Member {1}: {2} {3} {4}, nearest to the weighted median of all, {5}. Its values: {6}.",
-                {std::to_string(median.member), figure_title(median.figure, words), number.grouped(median.figure.value),
-                 ReportNumbers::unit(median.figure.unit), number.grouped(median.median), values})}}};
-    if (fs::exists(directory.path(k_animation_file)))
-        told.text.push_back({words("Film of this member"), "", k_animation_file});
-    return told;
-}
-
 Table failures_list(const StudyResult& result, const Words& words) {
     Table table({words("member"), words("reason")});
     for (const MemberResult& member : result.members)
@@ -494,8 +480,6 @@ void write_study_report(const StudyInput& input, const StudyResult& result,
         page.heading("sensitivity", words("Sensitivity"))
             .add(sensitivity_table(input, figures, result.points.are_dependent, words));
     page.charts(study_charts(), folder, words);
-    if (facts.median)
-        page.heading("median", words("Median member")).add(median_paragraph(input, *facts.median, directory, words));
     if (!facts.warnings.empty()) page.warnings(facts.warnings, words);
     if (result.failed() > 0) page.heading("failures", words("Failed members")).add(failures_list(result, words));
     write_page(folder,

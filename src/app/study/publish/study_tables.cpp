@@ -6,12 +6,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/pictures/animation.h"
 #include "app/pictures/map_layer.h"
-#include "app/pictures/result_reader.h"
-#include "app/process/terminal.h"
 #include "app/publish/summary.h"
-#include "app/store/frame_store.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
 #include "app/study/publish/study_files.h"
@@ -21,84 +17,8 @@
 #include "core/json.h"
 #include "core/text.h"
 #include "params/keys/scene_parameters.h"
-#include "simulation/simulation.h"
 
 namespace frana::app::study {
-namespace {
-
-void write_frames(const StudyInput& input, const StudyResult& result, std::size_t member,
-                  const ResultDirectory& directory) {
-    RunLog silent(true);
-    Prepared prepared = prepare(input.member(member), silent);
-    prepared.scene.time.end = result.members[member].end.end;
-    if (!prepared.scene.grid.same_cells(result.grid))
-        throw Error(ErrorKind::input,
-                    Problem{"has other cells than the maps", "member " + std::to_string(member), "", "",
-                            "`frana run` with its values from " + std::string(k_member_table) + " makes the film"});
-    directory.make_folder(k_frame_folder);
-    FrameWriter frames(directory.path(k_frame_folder), provenance(prepared));
-    RunOptions options;
-    options.on_frame = [&](Frame frame) { frames.add(std::move(frame)); };
-    options.stop_requested = [&] { return stop_signal() != 0 || frames.failed(); };
-    run(prepared.scene, options);
-    frames.finish();
-}
-
-void remove_frames(const ResultDirectory& directory) {
-    std::error_code ignored;  // what is left belongs to the files of a result
-    std::filesystem::remove_all(directory.path(k_frame_folder), ignored);
-}
-
-std::string sentence(const MedianMember& median) {
-    return "member " + std::to_string(median.member) + ", " + median.figure.title + " " + grouped(median.figure.value) +
-           " " + median.figure.unit + " (median of all " + grouped(median.median) + ")";
-}
-
-}  // namespace
-
-std::optional<MedianMember> median_member(const StudyResult& result) {
-    for (std::size_t f = 0; f < result.figures().size(); ++f) {
-        if (result.figures()[f].key != k_median_figure) continue;
-        const std::vector<double> values = result.figure(f);
-        const double median = weighted_quantile(values, result.finished.weights, 0.5);
-        std::optional<std::size_t> nearest;
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            if (!nearest || std::abs(values[i] - median) < std::abs(values[*nearest] - median)) nearest = i;
-        }
-        if (!nearest) return std::nullopt;
-        const MemberResult& member = result.members[result.finished_at[*nearest]];
-        return MedianMember{member.member, member.figures[f], median};
-    }
-    return std::nullopt;
-}
-
-void film_member(const StudyInput& input, const StudyResult& result, const MedianMember& median,
-                 const ResultDirectory& directory, RunLog& log) {
-    const OutputSpec& output = input.base.spec.output;
-    if (!output.animation) return;
-    try {
-        write_frames(input, result, median.member, directory);
-        const ResultReader written(directory.folder());
-        MapSource source = written.map_source();
-        source.title = output.title.value_or(scene_name(input.base.spec));
-        const Words& words = source.style.words;
-        source.subtitle = words("member {1}, {2} {3} {4} (median of all {5})",
-                                {std::to_string(median.member), figure_title(median.figure, words),
-                                 words.number(grouped(median.figure.value)), unit_sign(median.figure.unit),
-                                 words.number(grouped(median.median))});
-        AnimationRequest film{
-            animation_source(written, source, "depth"), {}, false, false, animation_size(source.style.size)};
-        film.stop_requested = [] { return stop_signal() != 0; };
-        if (stop_signal() == 0 && write_animation(film, directory.path(k_animation_file)))
-            log.note(std::string("drew ") + k_animation_file + ": " + sentence(median));
-        else
-            log.warn(worded("{1} is left out because of the signal", {k_animation_file}));
-    } catch (const std::exception& error) {
-        log.warn(worded("{1} could not be drawn: {2}", {k_animation_file, std::string(error.what())}));
-    }
-    remove_frames(directory);
-}
-
 namespace {
 
 /// Columns that scripts read, before the figures of gauges and others.
@@ -282,11 +202,6 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
                               {"members_that_came", rare->hits}};
     json["scheme"] = scheme_json(input);
     if (facts.scheme_check) json["scheme_check"] = check_json(*facts.scheme_check);
-    if (const auto& median = facts.median)
-        json["median_member"] = {{"member", median->member},
-                                 {"figure", median->figure.key},
-                                 {"value", median->figure.value},
-                                 {"median", median->median}};
     Json& failures = json["failures"] = Json::array();
     for (const MemberResult& member : result.members)
         if (!member.failure.empty()) failures.push_back({{"member", member.member}, {"reason", member.failure}});
