@@ -171,29 +171,6 @@ TEST_F(Command, CheckForeseesTheTimeOfEachScheme) {
     EXPECT_TRUE(refused["engine_seconds"].is_null());
 }
 
-// Of a sample's finished result, within a factor of two; of the time only that it has all its parts.
-TEST_F(Command, CheckForeseesTheDiskAndTheWholeCommand) {
-    const std::string sample = std::string(FRANA_SOURCE_DIR) + "/sample_data/bindo/coulomb.ini";
-    for (const std::vector<std::string>& more :
-         {std::vector<std::string>{},
-          {"--set", "output.maps=off", "--set", "output.animation=off", "--set", "output.report=off"}}) {
-        std::vector<std::string> check{"check", sample, "--json"},
-            run{"run", sample, "--out", "result", "--overwrite", "--quiet"};
-        check.insert(check.end(), more.begin(), more.end());
-        run.insert(run.end(), more.begin(), more.end());
-        const Outcome foreseen = frana(check);
-        ASSERT_EQ(foreseen.exit_code, 0) << foreseen.err;
-        ASSERT_EQ(frana(run).exit_code, 0);
-        double bytes = 0;
-        for (const auto& entry : std::filesystem::recursive_directory_iterator(path("result")))
-            if (entry.is_regular_file()) bytes += static_cast<double>(entry.file_size());
-        EXPECT_GT(json_number(foreseen.out, "disk_bytes"), bytes / 2) << more.size();
-        EXPECT_LT(json_number(foreseen.out, "disk_bytes"), bytes * 2) << more.size();
-        EXPECT_GT(json_number(foreseen.out, "engine_seconds"), 0);
-        EXPECT_GT(json_number(foreseen.out, "estimated_seconds"), json_number(foreseen.out, "engine_seconds"));
-    }
-}
-
 TEST_F(Command, FullDeviceForStandardOutputIsAnError) {
     if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "output.maps=off", "--set",

@@ -428,13 +428,13 @@ TEST_F(Calibrate, ChartsAndReportAreDrawn) {
     EXPECT_NE(page.find("src=\"data:image/"), std::string::npos);
 }
 
-TEST_F(Calibrate, CheckTellsEventsMembersTimeMemoryAndDisk) {
+TEST_F(Calibrate, CheckTellsEventsMembersTimeAndMemory) {
     const auto before = files();
     const Outcome outcome = frana({"check", "study.ini"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     for (const std::string words :
          {"is ready to run", "compared by jaccard 1", "cells of 5 m", "material.turbulence log-uniform(200, 2000)",
-          "10 first, then until the intervals settle, at most 18, each for 1 event", "estimated time", "memory", "disk",
+          "10 first, then until the intervals settle, at most 18, each for 1 event", "estimated time", "memory",
           "-calibration"})
         EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
     EXPECT_EQ(files(), before);

@@ -563,13 +563,13 @@ TEST_F(Ensemble, PressureAndIntensityHaveTheProbabilitiesOfWhatTheyAreMadeOf) {
     expect_alike("probability_intensity_1", "probability_depth_0.1");  // the default of hazard.minimum-depth
 }
 
-TEST_F(Ensemble, CheckTellsMembersTimeMemoryAndDisk) {
+TEST_F(Ensemble, CheckTellsMembersTimeAndMemory) {
     write_study("samples = 30\n", k_two_keys);
     const auto before = files();
     const Outcome outcome = frana({"check", "study.ini"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     for (const std::string words : {"is ready to run", "material.turbulence log-uniform(300, 3000)",
-                                    "30, sampling sobol, seed 1", "estimated time", "memory", "disk", "-ensemble"})
+                                    "30, sampling sobol, seed 1", "estimated time", "memory", "-ensemble"})
         EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
     EXPECT_EQ(files(), before);
 }
