@@ -109,14 +109,6 @@ void add_study(Table& table) {
                             const char* palette, bool progressive) {
         table.flow(name, title, description, unit, palette, progressive).zero_is_blank = true;
     };
-    of_all("mean_max_depth", "Mean maximum depth", "Mean of the maximum depth, vertical, 0 where a run did not arrive",
-           "m", "depth", k_progressive);
-    of_all("deviation_max_depth", "Deviation of the maximum depth", "Standard deviation of the maximum depth, vertical",
-           "m", "depth", k_progressive);
-    of_all("mean_max_velocity", "Mean maximum velocity", "Mean of the maximum speed, 0 where a run did not arrive",
-           "m/s", "velocity", k_even);
-    of_all("deviation_max_velocity", "Deviation of the maximum velocity", "Standard deviation of the maximum speed",
-           "m/s", "velocity", k_even);
     of_all("hit_count", "Runs that arrived", "Number of runs that reached the cell", "-", "depth", k_even);
     of_all("union_max_depth", "Maximum depth of all sources", "Greatest depth that any source causes, vertical", "m",
            "depth", k_progressive);

@@ -83,8 +83,8 @@ TEST_F(ProbabilityCompare, OfAStudyTakesTheMapOfAThreshold) {
 
 TEST_F(ProbabilityCompare, IsInNoRankingAndTakesNoDeposit) {
     write_polygon("scar", {{20, 40}, {180, 40}, {180, 110}, {20, 110}});
-    const Outcome ranked =
-        frana({"compare", "--json", "out", "out/mean_max_depth.tif", "--scar", "scar.geojson", "--out", "ranking"});
+    const Outcome ranked = frana(
+        {"compare", "--json", "out", "out/quantile_max_depth_50.tif", "--scar", "scar.geojson", "--out", "ranking"});
     EXPECT_EQ(ranked.exit_code, 2);
     EXPECT_NE(ranked.err.find("cannot be ranked"), std::string::npos) << ranked.err;
     const Outcome deposit =

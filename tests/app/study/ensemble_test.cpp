@@ -262,8 +262,8 @@ TEST_F(Ensemble, ATableOfMembersGivesTheSameMembers) {
     write_study("sampling = table:drawn/members.csv\n", to_rest);
     const Outcome outcome = run();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    const Raster a = gis::read_result_raster(path("drawn/mean_max_depth.tif")),
-                 b = gis::read_result_raster(path("out/mean_max_depth.tif"));
+    const Raster a = gis::read_result_raster(path("drawn/quantile_max_depth_50.tif")),
+                 b = gis::read_result_raster(path("out/quantile_max_depth_50.tif"));
     for (std::size_t i = 0; i < a.values.size(); ++i)
         ASSERT_TRUE(std::isnan(a.values[i]) || a.values[i] == b.values[i]);
 }

@@ -319,9 +319,9 @@ std::optional<ExposureTotals> publish_study_exposure(const StudyInput& input, co
 
 namespace {
 
-/// Quantiles and moments, of depth and velocity alone.
-void write_distribution(const StudyResult& result, const QuantityMaps& maps, Quantity quantity, const std::string& name,
-                        const MapWriter& writer) {
+/// Of depth and velocity alone.
+void write_quantiles(const StudyResult& result, const QuantityMaps& maps, Quantity quantity, const std::string& name,
+                     const MapWriter& writer) {
     std::vector<std::optional<Raster>> upper;
     if (result.open.any()) upper = quantile_bounds(result.open, quantity, result.grid);
     for (std::size_t q = 0; q < maps.quantile.size(); ++q) {
@@ -331,8 +331,6 @@ void write_distribution(const StudyResult& result, const QuantityMaps& maps, Qua
         else
             writer.write(file, maps.quantile[q]);
     }
-    writer.write("mean_max_" + name, maps.mean);
-    writer.write("deviation_max_" + name, maps.deviation);
 }
 
 /// Of the cells with at least this probability.
@@ -418,7 +416,7 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
             writer.write_probability(events.rasters[t], maps.probability[t], maps.margin[t],
                                      bounds.empty() ? nullptr : &bounds[t]);
         if (events.quantity == Quantity::depth) {
-            write_distribution(result, maps, events.quantity, "depth", writer);
+            write_quantiles(result, maps, events.quantity, "depth", writer);
             writer.write("hit_count", maps.hits);
             if (!maps.probability.empty()) {
                 write_probability_outlines(input, maps.probability.front(), directory.path(k_outlines_file));
@@ -433,8 +431,7 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
                                          area_at_least(maps.probability.front(), 0.5, maps.margin.front(), 1)};
             }
         }
-        if (events.quantity == Quantity::velocity)
-            write_distribution(result, maps, events.quantity, "velocity", writer);
+        if (events.quantity == Quantity::velocity) write_quantiles(result, maps, events.quantity, "velocity", writer);
         facts.error.add(maps.errors);
     }
     const QuantityMaps arrival = quantity_maps(result.finished, Quantity::arrival, result.grid, {});

@@ -107,22 +107,6 @@ Arrived arrived_of(std::span<const float> values, const std::vector<double>& wei
     return arrived;
 }
 
-void add_moments(std::span<const float> values, const std::vector<double>& weights, std::size_t cell,
-                 QuantityMaps& maps) {
-    double mean = 0, squares = 0, hits = 0;
-    for (std::size_t m = 0; m < values.size(); ++m) {
-        mean += weights[m] * static_cast<double>(values[m]);
-        hits += values[m] > 0 ? 1 : 0;
-    }
-    for (std::size_t m = 0; m < values.size(); ++m) {
-        const double difference = static_cast<double>(values[m]) - mean;
-        squares += weights[m] * difference * difference;
-    }
-    maps.mean.values[cell] = mean;
-    maps.deviation.values[cell] = std::sqrt(squares);
-    maps.hits.values[cell] = hits;
-}
-
 }  // namespace
 
 void ErrorSummary::add(const Estimate& probability) {
@@ -170,7 +154,7 @@ QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, co
         const double margin = members.size() > 0 ? estimate.probability(nowhere, 0).margin : 1;
         maps.margin.assign(thresholds.size(), Raster(grid, margin));
     }
-    if (has_distribution) maps.mean = maps.deviation = maps.hits = Raster(grid, k_no_data);
+    if (has_distribution) maps.hits = Raster(grid, k_no_data);
     if (has_distribution || arrival) maps.quantile.assign(std::size(k_study_quantiles), Raster(grid, k_no_data));
     if (members.size() == 0) return maps;
     std::vector<std::size_t> order;
@@ -193,7 +177,8 @@ QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, co
             const double value = weighted_quantile(values, members.weights, k_study_quantiles[q].fraction, order);
             if (value > 0) maps.quantile[q].values[cell] = value;
         }
-        add_moments(values, members.weights, cell, maps);
+        maps.hits.values[cell] =
+            static_cast<double>(std::count_if(values.begin(), values.end(), [](float v) { return v > 0; }));
     });
     return maps;
 }

@@ -66,7 +66,6 @@ struct QuantityMaps {
     std::vector<Raster> margin;       ///< Estimate::margin
     ErrorSummary errors;              ///< of all thresholds
     std::vector<Raster> quantile;     ///< for each of k_study_quantiles; NaN where it is 0
-    Raster mean, deviation;           ///< with 0 where a member did not come
     Raster hits;                      ///< number of members that came
 };
 
