@@ -366,14 +366,6 @@ void write_probability_outlines(const StudyInput& input, const Raster& probabili
     write_result_outlines(path, probability.grid.crs_wkt, layers, words_of(input.base.spec));
 }
 
-/// Those that are handed on; `frana render` draws the others.
-bool is_drawn_at_once(const std::string& name) {
-    return name.starts_with("probability_") || name.starts_with("quantile_max_depth_") ||
-           name.starts_with("sensitivity_") || name.starts_with("union_max_") || name == "hit_count" ||
-           name.starts_with("scenario_max_depth_") || name.starts_with("scenario_intensity_") ||
-           name == "hazard_degree";
-}
-
 }  // namespace
 
 std::vector<gis::OutlineLayer> known_outlines(const StudyInput& input) {
@@ -482,7 +474,7 @@ void draw_study(const StudyInput& input, const StudyResult& result, const std::v
         }
         make_drawing_folder(written.path("maps"));
         for (const std::string& name : written.drawable()) {
-            if (!is_drawn_at_once(name)) continue;
+            if (const ResultRaster* const row = find_result_raster(name); row == nullptr || !row->with_study) continue;
             is_drawn("maps/" + name, log,
                      [&] { drawer.draw(written.map_layer(name), false, written.path("maps/" + name)); });
         }
