@@ -51,7 +51,6 @@ enum class Sampling {
     sobol,
     random,
     importance,
-    morris,
     table,
     polygons  ///< of a region: no sampling, each polygon of the release perimeter is a member
 };
@@ -64,9 +63,8 @@ struct SamplingMethod {
     Sampling sampling;
     const char* name;  ///< of samples and designs in study.sampling
     Kind kind;
-    bool goes_on = false;           ///< more members may follow the last one, as --extend needs
-    bool replicated = false;        ///< drawn in k_replicates parts that are randomised independently of each other
-    std::size_t more_in_group = 0;  ///< its members form groups of so many more than there are keys; 0: no groups
+    bool goes_on = false;     ///< more members may follow the last one, as --extend needs
+    bool replicated = false;  ///< drawn in k_replicates parts that are randomised independently of each other
 };
 /// Members of an even design depend on each other, so that their number does not tell how sure their mean is. Parts of
 /// it that are randomised independently do: from the scatter of their means follows the standard error (Owen 1997,
@@ -76,7 +74,6 @@ inline constexpr SamplingMethod k_samplings[] = {
     {Sampling::sobol, "sobol", SamplingMethod::Kind::sample, true, true},
     {Sampling::random, "random", SamplingMethod::Kind::sample, true},
     {Sampling::importance, "importance", SamplingMethod::Kind::design, false, true},
-    {Sampling::morris, "morris", SamplingMethod::Kind::design, false, true, 1},
     {Sampling::table, "table", SamplingMethod::Kind::given},
     {Sampling::polygons, "per-polygon", SamplingMethod::Kind::given}};
 
@@ -138,11 +135,6 @@ struct StudySpec {
     std::vector<Correlation> correlate;
     std::optional<RegionSpec> region;  ///< a polygon for each member
 
-    /// Members of a group of its sampling; 0: no groups.
-    [[nodiscard]] std::size_t group_size() const noexcept {
-        const std::size_t more = method_of(sampling).more_in_group;
-        return more == 0 ? 0 : vary.size() + more;
-    }
     /// Whether more members may follow the last one, with the same ones before them.
     [[nodiscard]] bool is_extensible() const noexcept { return method_of(sampling).goes_on; }
 };

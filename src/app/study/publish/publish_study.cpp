@@ -307,11 +307,7 @@ void warn_of_error(const StudyInput& input, const StudyResult& result, const Stu
             worded("study.until = {1} is not reached with all members: raise study.samples", {shortest_text(*until)}));
 }
 
-void tell_sensitivities(const StudyInput& input, const std::vector<FigureSensitivity>& figures, RunLog& log) {
-    const bool is_untold = std::any_of(figures.begin(), figures.end(), [](const FigureSensitivity& figure) {
-        return figure.q2 < k_least_q2 && !figure.keys.front().effect;
-    });
-    if (is_untold && input.table.keys.size() > k_many_keys) log.warn(k_screening_advice);
+void tell_sensitivities(const std::vector<FigureSensitivity>& figures, RunLog& log) {
     std::string text;
     for (const FigureSensitivity& figure : figures)
         if (!std::isnan(figure.q2))
@@ -401,7 +397,7 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
         } else {
             publish_study_ground(input, directory);
             figures = sensitivities(input, result);
-            tell_sensitivities(input, figures, log);
+            tell_sensitivities(figures, log);
             publish_study_maps(input, result, directory, facts);
             facts.rare_place = rare_place_of(input, result);
             warn_of_error(input, result, facts, log);

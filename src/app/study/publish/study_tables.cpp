@@ -94,8 +94,7 @@ std::string members_csv(const StudyInput& input, const StudyResult& result) {
 
 std::string sensitivity_csv(const StudyInput& input, const std::vector<FigureSensitivity>& figures) {
     std::string text =
-        "figure,key,first_order,total,low,high,total_low,total_high,rank_correlation,rank_low,rank_high,method,q2,"
-        "effect,effect_low,effect_high,effect_deviation\n";
+        "figure,key,first_order,total,low,high,total_low,total_high,rank_correlation,rank_low,rank_high,method,q2\n";
     for (const FigureSensitivity& figure : figures) {
         for (std::size_t k = 0; k < figure.keys.size(); ++k) {
             const KeySensitivity& one = figure.keys[k];
@@ -103,15 +102,12 @@ std::string sensitivity_csv(const StudyInput& input, const std::vector<FigureSen
                     value_cell(one.first_order) + "," + value_cell(one.total) + "," + cells(one.first_order) + "," +
                     cells(one.total) + "," + value_cell(one.rank_correlation) + "," + cells(one.rank_correlation) +
                     "," + (one.method.empty() ? "not measurable" : one.method) + "," +
-                    (std::isnan(figure.q2) ? "" : shortest_text(figure.q2)) + "," + value_cell(one.effect) + "," +
-                    cells(one.effect) + "," + (one.effect ? shortest_text(one.effect_scatter) : "") + "\n";
+                    (std::isnan(figure.q2) ? "" : shortest_text(figure.q2)) + "\n";
         }
-        // A field of error is in what the polynomials of the keys do not explain.
-        const bool has_field = std::any_of(figure.keys.begin(), figure.keys.end(),
-                                           [](const KeySensitivity& one) { return one.method == k_not_explained; });
-        if (has_field)
-            text += csv_cell(figure.figure.key) + "," + k_not_explained + "," + shortest_text(1 - figure.q2) +
-                    ",,,,,,,,,polynomial chaos," + shortest_text(figure.q2) + ",,,,\n";
+        if (!std::isnan(figure.q2))
+            text += csv_cell(figure.figure.key) + "," + k_not_explained + "," +
+                    shortest_text(std::min(1.0, 1 - figure.q2)) + ",,,,,,,,,polynomial chaos," +
+                    shortest_text(figure.q2) + "\n";
     }
     return text;
 }
