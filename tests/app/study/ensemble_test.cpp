@@ -478,8 +478,8 @@ TEST_F(Ensemble, MapsChartsAndReportAreDrawnAndRenderDrawsTheRest) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     for (const std::string name :
          {"maps/probability_depth_0.1.png", "maps/probability_velocity_5.png", "maps/quantile_max_depth_95.png",
-          "maps/sensitivity_material.turbulence.png", "charts/exceedance.png", "charts/sensitivity.png",
-          "charts/convergence.png", "report.html", "members.gpkg", "study.ini", "scene.ini", "dtm.tif"})
+          "maps/sensitivity_material.turbulence.png", "charts/exceedance.png", "charts/sensitivity.png", "report.html",
+          "members.gpkg", "study.ini", "scene.ini", "dtm.tif"})
         EXPECT_TRUE(fs::exists(path("out/" + name))) << name;
     const Outcome drawn = frana({"render", "out", "--map", "quantile_arrival_time_05", "--map", "hit_count"});
     EXPECT_EQ(drawn.exit_code, 0) << drawn.err;

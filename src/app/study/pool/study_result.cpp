@@ -253,11 +253,9 @@ std::optional<RarePlace> rare_place_of(const StudyInput& input, const StudyResul
 
 double largest_error(const StudyInput& input, const StudyResult& result) {
     double largest = 0;
-    for (const MappedEvents& events : mapped_events(input.base.spec)) {
-        const ErrorSummary errors =
-            error_of_first(result.finished, result.finished.size(), events.quantity, result.grid, events.thresholds);
-        largest = std::max(largest, errors.largest());
-    }
+    for (const MappedEvents& events : mapped_events(input.base.spec))
+        largest =
+            std::max(largest, error_of(result.finished, events.quantity, result.grid, events.thresholds).largest());
     return largest;
 }
 

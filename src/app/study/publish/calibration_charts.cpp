@@ -2,7 +2,6 @@
 #include "app/study/publish/calibration_report.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <numeric>
@@ -176,42 +175,8 @@ std::optional<render::Chart> posterior(const CalibrationData& data, const std::s
     return chart;
 }
 
-/// One row for each event and kind of score: a bar from the 5 to the 95 % quantile, the score of the best values.
-std::optional<render::Chart> forecast(const CalibrationData& data, const std::string& title, const MapSource& source) {
-    const CalibrationInput& input = data.input;
-    const CalibrationResult& result = data.result;
-    if (input.events() < 2) return std::nullopt;
-    const Words& words = source.style.words;
-    render::Chart chart = chart_sheet(
-        source, title, words("bar: scores of 5 to 95 % of the weight; diamond: of the best values; 1 agrees"),
-        "calibration.json", 1);
-    render::ChartPanel panel{"", words("score [-]"), "", {}};
-    panel.has_rows = true;
-    panel.on_x = {0, 1};
-    const double count = 2 * static_cast<double>(input.events());
-    panel.on_y = {0.5, count + 0.5};
-    double y = count;
-    for (std::size_t e = 0; e < input.events(); ++e) {
-        const std::array<std::pair<const char*, const Explained*>, 2> kinds{
-            {{worded("{1}, fitted"), &result.events[e].fitted},
-             {worded("{1}, predicted"), &result.events[e].predicted}}};
-        for (std::size_t k = 0; k < 2; ++k, --y) {
-            const Explained& one = *kinds[k].second;
-            if (!one.possible) continue;
-            panel.series.push_back({words(kinds[k].first, {input.spec().events[e].name}),
-                                    k_colours[(2 * e + k) % std::size(k_colours)],
-                                    {{one.low, y}, {one.high, y}},
-                                    14});
-            panel.series.push_back(dots("", k_ink, {{one.best_score, y}}, render::Marker::diamond, 2));
-        }
-    }
-    chart.panels.push_back(std::move(panel));
-    return chart;
-}
-
 /// Every chart of a calibration, in the order of the page.
 constexpr ChartRow<CalibrationData> k_calibration_charts[] = {
-    {{"forecast", worded("fitted, and predicted from the other events")}, forecast},
     {{"posterior", worded("values before and after the calibration")}, posterior},
     {{"response", worded("posterior over pairs of values")}, response},
 };

@@ -30,9 +30,8 @@ void write_calibration_report(const CalibrationInput& input, const CalibrationRu
                               const CalibrationResult& result, const CalibrationFacts& facts,
                               const ResultDirectory& directory);
 
-/// Draws the charts of a calibration, if the scene asks for any: `forecast`, the scores of each event, fitted and
-/// predicted from the others; `posterior`, the distribution of each key before and after; `response`, the posterior
-/// over pairs of keys. One that could not be drawn is a warning.
+/// Draws the charts of a calibration, if the scene asks for any: `posterior`, the distribution of each key before and
+/// after; `response`, the posterior over pairs of keys. One that could not be drawn is a warning.
 void draw_calibration_charts(const CalibrationInput& input, const CalibrationResult& result,
                              const ResultDirectory& directory, RunLog& log);
 

@@ -128,33 +128,10 @@ std::optional<render::Chart> sensitivity(const ChartData& data, const std::strin
     return chart;
 }
 
-std::optional<render::Chart> convergence(const ChartData& data, const std::string& title, const MapSource& source) {
-    const std::vector<ErrorAt> errors = convergence_of(data.input, data.result);
-    if (errors.empty()) return std::nullopt;
-    const Words& words = source.style.words;
-    render::Chart chart = chart_sheet(source, title, words("standard error of the probabilities of depth over the map"),
-                                      words("records of the members"), 1);
-    render::ChartPanel panel{words("Standard error"), words("members"), words("standard error [-]"), {}};
-    panel.x = panel.y = render::Scale::logarithmic;
-    render::ChartSeries largest{words("largest"), k_colours[1], {}},
-        mean{words("mean where it is not 0"), k_colours[0], {}};
-    mean.stroke = render::Stroke::dashed;
-    largest.marker = render::Marker::circle;
-    mean.marker = render::Marker::square;
-    for (const ErrorAt& at : errors) {
-        largest.points.push_back({static_cast<double>(at.members), at.error.largest()});
-        mean.points.push_back({static_cast<double>(at.members), at.error.mean()});
-    }
-    panel.series = {largest, mean};
-    chart.panels.push_back(std::move(panel));
-    return chart;
-}
-
 /// Every chart of a study, in the order of the page.
 constexpr ChartRow<ChartData> k_charts[] = {
     {{"exceedance", worded("exceedance")}, exceedance},
     {{"sensitivity", worded("sensitivity of the results")}, sensitivity},
-    {{"convergence", worded("convergence of the probabilities")}, convergence},
 };
 
 }  // namespace
@@ -166,21 +143,6 @@ std::string figure_title(const Figure& figure, const Words& words) {
         if (figure.title.starts_with(before)) return words(of_a_place, {figure.title.substr(before.size())});
     }
     return words(figure.title);
-}
-
-std::vector<ErrorAt> convergence_of(const StudyInput& input, const StudyResult& result) {
-    constexpr std::size_t k_first = 8;
-    std::vector<ErrorAt> all;
-    if (!input.table.parts.empty()) return all;  // its members are not exchangeable
-    const FinishedMembers& members = result.finished;
-    for (std::size_t count = k_first;; count *= 2) {
-        const std::size_t some = std::min(count, members.size());
-        if (some < 2) break;
-        all.push_back({some, error_of_first(members, some, Quantity::depth, result.grid,
-                                            input.base.spec.output.depth_thresholds)});
-        if (some == members.size()) break;
-    }
-    return all;
 }
 
 std::vector<ChartTitle> study_charts() {

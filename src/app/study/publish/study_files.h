@@ -19,15 +19,6 @@
 
 namespace frana::app::study {
 
-/// One point of the convergence of the probabilities.
-struct ErrorAt {
-    std::size_t members = 0;
-    ErrorSummary error;
-};
-
-/// Returns the standard errors of the probabilities of depth after some numbers of members, up to all of them.
-std::vector<ErrorAt> convergence_of(const StudyInput& input, const StudyResult& result);
-
 /// Returns the title of a figure of a study in a language: "run-out".
 std::string figure_title(const Figure& figure, const Words& words);
 

@@ -217,12 +217,11 @@ std::vector<std::optional<Raster>> quantile_bounds(const OpenRuns& runs, Quantit
     return bounds;
 }
 
-ErrorSummary error_of_first(const FinishedMembers& members, std::size_t count, Quantity quantity, const GridSpec& grid,
-                            const std::vector<double>& thresholds) {
-    const FinishedMembers first = members.first(count);
-    const MeanEstimate estimate(first);
+ErrorSummary error_of(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
+                      const std::vector<double>& thresholds) {
+    const MeanEstimate estimate(members);
     ErrorSummary all;
-    for_each_reached_cell(first, quantity, grid, [&](std::size_t, std::span<const float> values) {
+    for_each_reached_cell(members, quantity, grid, [&](std::size_t, std::span<const float> values) {
         for (const double threshold : thresholds) all.add(estimate.probability(values, threshold));
     });
     return all;

@@ -43,7 +43,7 @@ TEST_F(Cells, WhereAllMembersCameTheProbabilityIsOneWithinAMargin) {
     const QuantityMaps maps = quantity_maps(members_, Quantity::depth, grid_, {0.5});
     EXPECT_EQ(maps.probability[0].at(0, 0), 1);
     EXPECT_NEAR(maps.margin[0].at(0, 0), 3.0 / 49, 1e-12);
-    EXPECT_EQ(error_of_first(members_, 49, Quantity::depth, grid_, {0.5}).mean(), 0);
+    EXPECT_EQ(error_of(members_, Quantity::depth, grid_, {0.5}).mean(), 0);
 }
 
 // Two runs finished, one was cut on its way, one failed: 1 of 3 at the first cell may be 3 of 4.
