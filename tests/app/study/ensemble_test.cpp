@@ -505,7 +505,7 @@ TEST_F(Ensemble, TheReportHasTheAnswerFirstInTheLanguageOfTheScene) {
     EXPECT_NE(page.find("<html lang=\"it\">"), std::string::npos);
     std::string text = page;  // without the spaces that keep a number beside its unit
     for (std::size_t at = 0; (at = text.find("\u00A0", at)) != std::string::npos;) text.replace(at, 2, " ");
-    EXPECT_NE(text.find("8 simulazioni su 8 sono state calcolate"), std::string::npos);
+    EXPECT_NE(text.find("8 su 8, campionamento sobol, seme 1"), std::string::npos);
     EXPECT_NE(page.find("study.until = 0.001 non è raggiunto con tutte le simulazioni"), std::string::npos);
     EXPECT_EQ(page.find("Standard error"), std::string::npos);
     EXPECT_EQ(json_text(summary, "date").size(), std::string("2026-11-24").size()) << "maps show it";
@@ -516,7 +516,7 @@ TEST_F(Ensemble, TheReportHasTheAnswerFirstInTheLanguageOfTheScene) {
     std::string area = std::to_string(static_cast<int>(cells * map.grid.cell_area()));
     if (area.size() > 3) area.insert(area.size() - 3, ".");
     EXPECT_GT(cells, 10);
-    EXPECT_NE(text.find(area + " m² con almeno il 50 %"), std::string::npos) << area;
+    EXPECT_NE(text.find(area + " (95 %: da "), std::string::npos) << area;
 }
 
 // Pressure is density times the speed squared, so its thresholds are those of the speed; the classes of a custom scheme

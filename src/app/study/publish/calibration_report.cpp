@@ -230,49 +230,20 @@ Table failures_table(const CalibrationInput& input, const CalibrationRuns& runs,
     return table;
 }
 
-Document surveys_say(const CalibrationResult& result, const Words& words) {
-    List list;
-    for (const Sentence& sentence : result.sentences) list.items.push_back(sentence.in(words));
-    return Document().add(Paragraph{{}, words("What the surveys say.")}).add(list);
-}
-
-/// How well the best values repeat each event, fitted and, with several events, predicted from the others.
-Document scores_told(const CalibrationInput& input, const CalibrationResult& result, const Words& words) {
+Table facts_table(const CalibrationRuns& runs, const CalibrationResult& result, const Words& words) {
     const ReportNumbers number(words);
-    std::string text = words("A score is 1 minus the misfit: 1 agrees.");
-    for (std::size_t e = 0; e < input.events(); ++e) {
-        const EventResult& event = result.events[e];
-        const std::string& name = input.spec().events[e].name;
-        text += " " + (event.predicted.possible
-                           ? words("{1}: {2} fitted, {3} predicted from the other events.",
-                                   {name, number(event.fitted.best_score, 3), number(event.predicted.best_score, 3)})
-                           : words("{1}: {2} fitted.", {name, number(event.fitted.best_score, 3)}));
-    }
-    if (input.events() == 1)
-        text += " " + words("With one event there is no forecast to check: the score is that of a fit.");
-    return Document().paragraph(words("How well the events are explained."), text);
-}
-
-Document runs_told(const CalibrationRuns& runs, const CalibrationResult& result, const Words& words) {
-    const ReportNumbers number(words);
-    std::string cells;
-    for (const EventRuns& event : runs.events) cells += (cells.empty() ? "" : ", ") + number(event.cell_size);
-    std::string text = words(
-        "{1} members on cells of {2} m, of which the first {3} are spread over the distributions; "
-        "effective number {4}.",
-        {std::to_string(runs.size()), cells, std::to_string(runs.design), number(result.effective, 3)});
+    std::vector<std::string> cells;
+    for (const EventRuns& event : runs.events) cells.push_back(number(event.cell_size));
+    Table table;
+    table.row({words("Members"), words("{1}, of which {2} spread over the distributions",
+                                       {std::to_string(runs.size()), std::to_string(runs.design)})});
+    table.row({words("Effective number"), number(result.effective, 3)});
+    table.row({words("Cells [m]"), joined(cells, ", ")});
     if (const std::size_t failed = runs.failed(); failed > 0)
-        text += " " + words("{1} runs failed and have no weight.", {std::to_string(failed)});
-    List list;
-    for (const Sentence& sentence : result.assumed) list.items.push_back(sentence.in(words));
-    return Document().paragraph(words("How sure."), text).add(list);
-}
-
-Document not_done(const Words& words) {
-    return Document().paragraph(
-        words("Not done."),
-        words("The values fit these events with this model; another place, another size or another model "
-              "needs its own calibration."));
+        table.row({words("Failed runs"), std::to_string(failed)}, "warning");
+    for (const Sentence& pair : result.sentences) table.row({words("Not told apart"), pair.in(words)});
+    table.row({words("Limitations"), words("These events and this model; a score is a fit, not a forecast")});
+    return table;
 }
 
 Document answer(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
@@ -281,11 +252,16 @@ Document answer(const CalibrationInput& input, const CalibrationRuns& runs, cons
     if (facts.troubles.are_first()) answer.add(Paragraph{{}, headline(facts.troubles).in(words), "warning"});
     return answer.heading("answer", words("Values and answer"))
         .add(keys_table(input, result, words))
-        .add(surveys_say(result, words))
-        .add(scores_told(input, result, words))
-        .add(runs_told(runs, result, words))
-        .first_warnings(facts.warnings, words)
-        .add(not_done(words));
+        .add(scores_table(input, result, words))
+        .add(facts_table(runs, result, words))
+        .first_warnings(facts.warnings, words);
+}
+
+/// What the likelihood of each event rests on, and how the search ended.
+List assumptions(const CalibrationResult& result, const Words& words) {
+    List list;
+    for (const Sentence& sentence : result.assumed) list.items.push_back(sentence.in(words));
+    return list;
 }
 
 void add_inputs(const CalibrationInput& input, const Words& words, Document& page) {
@@ -315,8 +291,8 @@ void write_calibration_report(const CalibrationInput& input, const CalibrationRu
     if (maps.empty()) page.paragraph(words("There are no maps."));
     page.maps(maps, folder, words)
         .heading("scores", words("How well the events are explained"))
-        .add(scores_table(input, result, words))
         .add(misfits_table(input, runs, result, words))
+        .add(assumptions(result, words))
         .charts(calibration_chart_titles(), folder, words);
     add_inputs(input, words, page);
     if (!facts.warnings.empty()) page.warnings(facts.warnings, words);

@@ -471,19 +471,9 @@ void write_best_scenes(const CalibrationInput& input, const CalibrationResult& r
 }
 
 void tell(const CalibrationInput& input, const CalibrationResult& result, RunLog& log) {
-    for (std::size_t e = 0; e < input.events(); ++e) {
-        const EventResult& event = result.events[e];
-        std::string text = input.spec().events[e].name + ": score " + number_text(event.fitted.best_score, 3) +
-                           " fitted (mean " + number_text(event.fitted.mean, 3) + ")";
-        if (input.events() > 1)
-            text += event.predicted.possible
-                        ? ", " + number_text(event.predicted.best_score, 3) + " predicted from the others (mean " +
-                              number_text(event.predicted.mean, 3) + ")"
-                        : ", not predicted: no member finished for the others";
-        log.info(text);
-    }
-    for (const auto* const told : {&result.sentences, &result.assumed})
-        for (const Sentence& sentence : *told) log.info(sentence.text());
+    for (std::size_t e = 0; e < input.events(); ++e)
+        log.info(input.spec().events[e].name + ": score " + number_text(result.events[e].fitted.best_score, 3));
+    for (const Sentence& sentence : result.assumed) log.info(sentence.text());
 }
 
 bool warn_of_failures(const CalibrationRuns& runs, std::size_t events, RunLog& log) {
