@@ -146,13 +146,17 @@ void StudyReader::add(const IniEntry& entry) {
     if (is("vary", false)) return add_variation(rest, entry);
     for (const auto& [gone, instead] : k_gone_keys)
         if (entry.name == gone) return refuse("is no longer a key", entry, "", instead);
+    if (is("degree", true))
+        return refuse("is no longer a key of a region", entry, "",
+                      "Write [degree] into a hazard scheme of your own (share/doc/hazard.md), and name that file in "
+                      "hazard.scheme");
     if (is("correlate", false)) return add_correlation(rest, entry);
     const std::string all = joined(names_of(keys), ", ");
     if (is_region() || is("study", false))
-        refuse_name("unknown key", entry.name, names_of(keys),
-                    is_region() ? "A region has the sections [region], [set], [columns] and [degree], with " + all
-                                : "Known are " + all,
-                    entry);
+        refuse_name(
+            "unknown key", entry.name, names_of(keys),
+            is_region() ? "A region has the sections [region], [set] and [columns], with " + all : "Known are " + all,
+            entry);
     else
         refuse("unknown key", entry, "",
                "An ensemble has the sections [study], [set], [vary] and [correlate]; a calibration, for `frana "

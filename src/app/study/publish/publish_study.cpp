@@ -52,16 +52,9 @@ std::vector<UnionMember> members_of(const StudyInput& input, const StudyResult& 
 
 std::vector<HazardArea> write_degree(const StudyInput& input, const Raster& degree, const ResultDirectory& directory) {
     const auto scheme = hazard_scheme_of(input.base.spec);
-    const DegreeMatrix& matrix = input.reading.study.region->degrees;
-    const auto of_scheme =
-        std::find_if(scheme->matrices.begin(), scheme->matrices.end(), [&](const ProcessMatrix& one) {
-            return matrix.degrees == one.degrees.degrees && matrix.periods == one.degrees.periods;
-        });
-    const std::string source = of_scheme != scheme->matrices.end()
-                                   ? of_scheme->source
-                                   : "[degree], " + fs::path(input.reading.study.file).filename().string();
-    ClassMap map{"hazard_degree", "Degree of hazard",  degree_classes(matrix),   *scheme,
-                 source,          k_degree_zones_file, intensity_limits(*scheme)};
+    const ProcessMatrix& matrix = *scheme->matrix_of(input.base.spec.hazard.process);
+    ClassMap map{"hazard_degree", "Degree of hazard",  degree_classes(matrix.degrees), *scheme,
+                 matrix.source,   k_degree_zones_file, intensity_limits(*scheme)};
     return publish_classes(degree, map, provenance(input.base), words_of(input.base.spec), directory);
 }
 
