@@ -419,8 +419,8 @@ TEST_F(Calibrate, ChartsAndReportAreDrawn) {
     const Outcome outcome = run();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(read_text(path("out/charts/posterior.svg")).find("friction angle [°]"), std::string::npos);
-    for (const std::string name : {"maps/posterior_slope.png", "charts/response.png", "charts/posterior.png",
-                                   "report.html", "log.txt", "summary.json"})
+    for (const std::string name :
+         {"maps/posterior_slope.png", "charts/posterior.png", "report.html", "log.txt", "summary.json"})
         EXPECT_TRUE(fs::exists(path("out/" + name))) << name;
     const std::string page = read_text(path("out/report.html"));
     EXPECT_NE(page.find("Effective number"), std::string::npos);

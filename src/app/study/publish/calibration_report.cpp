@@ -15,6 +15,7 @@
 #include "app/publish/report_tables.h"
 #include "app/store/result_files.h"
 #include "app/study/publish/map_writer.h"
+#include "app/study/publish/study_files.h"
 #include "app/study/statistics/study_maps.h"
 #include "app/text/number_text.h"
 #include "app/text/version.h"
@@ -22,9 +23,14 @@
 #include "gis/crs/crs.h"
 #include "gis/raster/footprint.h"
 #include "params/keys/output_parameters.h"
+#include "params/keys/scene_parameters.h"
+#include "params/keys/used_keys.h"
 
 namespace frana::app::study {
 
+namespace {
+
+/// How a calibration's maps and charts look: as the scene's keys ask.
 MapStyle calibration_style(const SceneSpec& scene) {
     const OutputSpec& output = scene.output;
     MapStyle style;
@@ -37,8 +43,6 @@ MapStyle calibration_style(const SceneSpec& scene) {
     style.date = date_on_maps(output.map_date, today());
     return style;
 }
-
-namespace {
 
 constexpr Rgb k_best_colour{200, 60, 20};
 
@@ -157,9 +161,10 @@ std::string range(double low, double high, const Words& words) {
     return words("{1} to {2}", {number(low, 3), number(high, 3)});
 }
 
-/// As column_of, in a language.
-std::string name_of(const CalibrationSpec& calibration, const KeySample& key, const Words& words) {
-    return key.event.empty() || calibration.events.size() == 1 ? key.key : words("{1} of {2}", {key.key, key.event});
+/// A key's name, with its event if others have it not.
+std::string name_of(const CalibrationSpec& calibration, const KeySample& key, const std::string& name,
+                    const Words& words) {
+    return key.event.empty() || calibration.events.size() == 1 ? name : words("{1} of {2}", {name, key.event});
 }
 
 Table keys_table(const CalibrationInput& input, const CalibrationResult& result, const Words& words) {
@@ -169,7 +174,7 @@ Table keys_table(const CalibrationInput& input, const CalibrationResult& result,
     for (std::size_t k = 0; k < result.keys.size(); ++k) {
         const KeySample& key = result.keys[k];
         const KeyPosterior& after = result.posteriors[k];
-        const std::string name = name_of(input.spec(), key, words);
+        const std::string name = name_of(input.spec(), key, key.key, words);
         std::string probabilities;
         for (const auto& [value, probability] : after.values)
             probabilities += (probabilities.empty() ? "" : ", ") + words.labelled(value, number(probability, 2));
@@ -272,7 +277,66 @@ void add_inputs(const CalibrationInput& input, const Words& words, Document& pag
     }
 }
 
+/// What the charts of a calibration show.
+struct CalibrationData {
+    const CalibrationInput& input;
+    const CalibrationResult& result;
+};
+
+/// The distribution of a key's values before the calibration and after it.
+render::ChartPanel posterior_panel(const CalibrationData& data, const KeySample& key, const Words& words) {
+    constexpr int k_parts = 40;  // of the distribution before
+    const Parameter* const parameter = find_parameter(scene_parameters(), key.key);
+    const std::string title = name_of(data.input.spec(), key, title_in(key.key, words), words);
+    render::ChartPanel panel{
+        title, with_unit(title, parameter == nullptr ? "" : parameter->unit), words("probability [-]"), {}, {0, 1}};
+    panel.x = key.prior.law == Law::log_uniform || key.prior.law == Law::log_normal ? render::Scale::logarithmic
+                                                                                    : render::Scale::linear;
+    StudySpec alone;
+    alone.vary.push_back({key.key, key.prior});
+    Places places;
+    for (int i = 0; i <= k_parts; ++i) places.push_back({std::clamp(i / double{k_parts}, 1e-6, 1 - 1e-6)});
+    Problems none;
+    const SampleTable prior = samples_at(alone, places, "", none);
+    render::ChartSeries before{words("before"), {150, 150, 150}, {}};
+    before.stroke = render::Stroke::dashed;
+    for (std::size_t i = 0; i < places.size(); ++i) before.points.push_back({prior.numbers[i][0], places[i][0]});
+    render::ChartSeries after{words("after"), render::k_chart_colours[0], {}, 2.6};
+    for (const Point& point : exceedance_curve(key.numbers, data.result.weights_after))
+        after.points.push_back({point.x, 1 - point.y});
+    panel.series = {std::move(before), std::move(after)};
+    return panel;
+}
+
+std::optional<render::Chart> posterior(const CalibrationData& data, const std::string& title, const MapSource& source) {
+    constexpr std::size_t k_most_panels = 9;
+    std::vector<const KeySample*> keys;
+    for (const KeySample& key : data.result.after)
+        if (!key.prior.is_nominal() && keys.size() < k_most_panels) keys.push_back(&key);
+    if (keys.empty()) return std::nullopt;
+    const Words& words = source.style.words;
+    render::Chart chart =
+        chart_sheet(source, title, words("probability that the value is smaller"), "posterior.csv", keys.size());
+    for (const KeySample* key : keys) chart.panels.push_back(posterior_panel(data, *key, words));
+    return chart;
+}
+
+constexpr ChartRow<CalibrationData> k_calibration_charts[] = {
+    {{"posterior", worded("values before and after the calibration")}, posterior}};
+
 }  // namespace
+
+void draw_calibration_charts(const CalibrationInput& input, const CalibrationResult& result,
+                             const ResultDirectory& directory, RunLog& log) {
+    const SceneSpec& scene = input.own.front().base.spec;
+    if (scene.output.maps.front() == "off" || !scene.output.charts) return;
+    MapSource source;
+    source.title = calibration_title(input);
+    source.style = calibration_style(scene);
+    directory.make_folder("charts");
+    draw_chart_rows(k_calibration_charts, CalibrationData{input, result}, source, directory.folder(),
+                    scene.output.report, log);
+}
 
 std::string calibration_title(const CalibrationInput& input) {
     std::string names;
@@ -293,7 +357,7 @@ void write_calibration_report(const CalibrationInput& input, const CalibrationRu
         .heading("scores", words("How well the events are explained"))
         .add(misfits_table(input, runs, result, words))
         .add(assumptions(result, words))
-        .charts(calibration_chart_titles(), folder, words);
+        .charts(titles_of(k_calibration_charts), folder, words);
     add_inputs(input, words, page);
     if (!facts.warnings.empty()) page.warnings(facts.warnings, words);
     if (runs.failed() > 0) page.heading("failures", words("Failed members")).add(failures_table(input, runs, words));

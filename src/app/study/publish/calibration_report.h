@@ -22,20 +22,14 @@ void publish_calibration_maps(const CalibrationInput& input, const CalibrationRu
 /// Returns the title of a calibration's charts and report.
 std::string calibration_title(const CalibrationInput& input);
 
-/// Returns how a calibration's maps and charts look: as the scene's keys ask.
-MapStyle calibration_style(const SceneSpec& scene);
-
 /// Writes report.html from the tables and the charts already in the directory. Throws Error(environment).
 void write_calibration_report(const CalibrationInput& input, const CalibrationRuns& runs,
                               const CalibrationResult& result, const CalibrationFacts& facts,
                               const ResultDirectory& directory);
 
-/// Draws the charts of a calibration, if the scene asks for any: `posterior`, the distribution of each key before and
-/// after; `response`, the posterior over pairs of keys. One that could not be drawn is a warning.
+/// Draws the chart of a calibration, if the scene asks for any: the distribution of each key before and after. One that
+/// could not be drawn is a warning.
 void draw_calibration_charts(const CalibrationInput& input, const CalibrationResult& result,
                              const ResultDirectory& directory, RunLog& log);
-
-/// Returns those that a calibration may have, in the order of the page.
-std::vector<ChartTitle> calibration_chart_titles();
 
 }  // namespace frana::app::study

@@ -52,21 +52,6 @@ std::string axis_label(const Figure& figure, const Words& words) {
     return with_unit(figure_title(figure, words), figure.unit);
 }
 
-/// Fraction of the weight of members with more than each value: a staircase.
-std::vector<Point> exceedance_curve(const std::vector<double>& values, const std::vector<double>& weights) {
-    std::vector<std::size_t> order(values.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
-    std::vector<Point> points;
-    double above = 1;
-    for (const std::size_t i : order) {
-        points.push_back({values[i], std::max(0.0, above)});
-        above -= weights[i];
-        points.push_back({values[i], std::max(0.0, above)});
-    }
-    return points;
-}
-
 std::optional<render::Chart> exceedance(const ChartData& data, const std::string& title, const MapSource& source) {
     const StudyResult& result = data.result;
     if (result.figures().empty()) return std::nullopt;
@@ -135,6 +120,20 @@ constexpr ChartRow<ChartData> k_charts[] = {
 };
 
 }  // namespace
+
+std::vector<Point> exceedance_curve(const std::vector<double>& values, const std::vector<double>& weights) {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+    std::vector<Point> points;
+    double above = 1;
+    for (const std::size_t i : order) {
+        points.push_back({values[i], std::max(0.0, above)});
+        above -= weights[i];
+        points.push_back({values[i], std::max(0.0, above)});
+    }
+    return points;
+}
 
 std::string figure_title(const Figure& figure, const Words& words) {
     for (const char* of_a_place : {worded("greatest depth at gauge {1}"), worded("greatest speed at gauge {1}"),
