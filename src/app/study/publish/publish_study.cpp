@@ -82,41 +82,34 @@ void read_ground_under(const Raster& depth, Raster& terrain) {
         [&](std::size_t cell, double) { static_cast<void>(std::as_const(terrain).values[cell]); });
 }
 
-/// Names of the rasters of a union.
-struct UnionNames {
-    std::string depth, velocity, pressure, arrival, hits, worst;
-};
-
 /// Writes the rasters one after the other, so that memory contains few at once. Returns the depth.
+/// @param scenario in names of files; empty: all slopes
 Raster write_union(const StudyInput& input, const std::vector<UnionMember>& members, const GridSpec& grid,
-                   const UnionNames& names, const ResultDirectory& directory) {
+                   const std::string& scenario, const ResultDirectory& directory) {
     const MapWriter writer(input.base, directory);
+    const std::string ending = scenario.empty() ? "" : "_" + scenario, count = scenario.empty() ? "" : "scenario_",
+                      value = scenario.empty() ? "union_" : "scenario_";
     Raster depth;
     {
         DepthUnion maps = depth_union(members, grid);
-        writer.write(names.depth, maps.depth);
-        writer.write(names.hits, maps.hits);
-        writer.write(names.worst, maps.worst);
+        writer.write(value + "max_depth" + ending, maps.depth);
+        writer.write(count + "hit_count" + ending, maps.hits);
+        writer.write(count + "worst_source" + ending, maps.worst);
         depth = std::move(maps.depth);
     }
-    writer.write(names.velocity, greatest_of(members, Quantity::velocity, grid));
-    writer.write(names.pressure, greatest_of(members, Quantity::pressure, grid));
-    writer.write(names.arrival, earliest_arrival(members, grid));
+    writer.write(value + "max_velocity" + ending, greatest_of(members, Quantity::velocity, grid));
+    writer.write(value + "max_pressure" + ending, greatest_of(members, Quantity::pressure, grid));
+    writer.write(value + "arrival_time" + ending, earliest_arrival(members, grid));
     return depth;
 }
 
 /// @param name of a scenario in names of files
 void write_scenario(const StudyInput& input, const std::vector<UnionMember>& members, const GridSpec& grid,
                     const std::string& name, const ResultDirectory& directory) {
-    const std::string of_scenario = "scenario_";
-    write_union(
-        input, members, grid,
-        {of_scenario + "max_depth_" + name, of_scenario + "max_velocity_" + name, of_scenario + "max_pressure_" + name,
-         of_scenario + "arrival_time_" + name, of_scenario + "hit_count_" + name, of_scenario + "worst_source_" + name},
-        directory);
+    write_union(input, members, grid, name, directory);
     const auto scheme = hazard_scheme_of(input.base.spec);
     if (!scheme) return;
-    ClassMap map{of_scenario + "intensity_" + name, scheme->heading, scheme->classes, *scheme, scheme->source, "",
+    ClassMap map{"scenario_intensity_" + name, scheme->heading, scheme->classes, *scheme, scheme->source, "",
                  scheme->minimum_labels()};
     publish_classes(greatest_of(members, Quantity::intensity, grid), map, provenance(input.base),
                     words_of(input.base.spec), directory);
@@ -129,10 +122,7 @@ void publish_unions(StudyInput& input, const StudyResult& result, const ResultDi
     const RegionSpec& region = *input.reading.study.region;
     const std::vector<UnionMember> all = members_of(input, result, std::nullopt);
     {
-        const Raster depth = write_union(input, all, result.grid,
-                                         {"union_max_depth", "union_max_velocity", "union_max_pressure",
-                                          "union_arrival_time", "hit_count", "worst_source"},
-                                         directory);
+        const Raster depth = write_union(input, all, result.grid, "", directory);
         read_ground_under(depth, input.base.scene.terrain);
         publish_study_ground(input, directory);
         write_reached(input, depth, directory);
@@ -149,32 +139,6 @@ void publish_unions(StudyInput& input, const StudyResult& result, const ResultDi
     const std::vector<std::string> stems = file_stems(names);
     for (std::size_t i = 0; i < names.size(); ++i)
         write_scenario(input, members_of(input, result, names[i]), result.grid, stems[i], directory);
-}
-
-/// Writes a region's table of slopes as a layer: every release polygon, also of those that failed, with what its
-/// attributes say, its status, its figures, and the outline of what it reaches.
-/// @param traces the outlines of finished members
-void write_slopes(const StudyInput& input, const StudyResult& result, const gis::OutlineLayer& traces,
-                  const std::string& path) {
-    gis::OutlineLayer slopes{"slopes", {}};
-    for (const MemberResult& member : result.members) {
-        const Slope& slope = input.slopes[member.member];
-        PolygonFeature feature;
-        feature.parts = slope.outline;
-        feature.numbers["member"] = static_cast<double>(member.member);
-        if (slope.return_period) feature.numbers["return_period"] = *slope.return_period;
-        feature.texts = {{"name", slope.name},
-                         {"group", slope.group},
-                         {"scenario", slope.scenario},
-                         {"status", member.failure.empty() ? "finished" : "failed"},
-                         {"reason", member.failure}};
-        add_end(member.end, feature.numbers, feature.texts);
-        for (const Figure& figure : member.figures) feature.numbers[figure.key] = figure.value;
-        for (std::size_t k = 0; k < input.table.keys.size(); ++k)
-            feature.texts[input.table.keys[k]] = input.table.values[member.member][k];
-        slopes.features.push_back(std::move(feature));
-    }
-    write_result_outlines(path, result.grid.crs_wkt, {slopes, traces}, words_of(input.base.spec));
 }
 
 namespace fs = std::filesystem;
@@ -212,34 +176,48 @@ void choose_grid(StudyInput& input, StudyResult& result, RunLog& log) {
              extent_text(result.grid.bounds()));
 }
 
-/// Outlines of all members, each in a raster no larger than what was reached.
+/// A member with its values and figures as attributes.
+PolygonFeature member_feature(const StudyInput& input, const MemberResult& member) {
+    PolygonFeature feature;
+    feature.numbers["member"] = static_cast<double>(member.member);
+    feature.numbers["weight"] = input.table.weights[member.member];
+    add_end(member.end, feature.numbers, feature.texts);
+    for (const Figure& figure : member.figures) feature.numbers[figure.key] = figure.value;
+    for (std::size_t k = 0; k < input.table.keys.size(); ++k)
+        feature.texts[input.table.keys[k]] = input.table.values[member.member][k];
+    if (input.slopes.empty()) return feature;
+    const Slope& slope = input.slopes[member.member];
+    feature.texts.insert({{"name", slope.name}, {"group", slope.group}, {"scenario", slope.scenario}});
+    return feature;
+}
+
+/// Writes the outlines of what finished members reach, each in a raster no larger than that; of a region also every
+/// release polygon, with the status of its slope.
 void write_member_outlines(const StudyInput& input, const StudyResult& result, const std::string& path) {
-    gis::OutlineLayer layer{"members", {}};
+    gis::OutlineLayer traces{"members", {}}, slopes{"slopes", {}};
     for (std::size_t i = 0; i < result.finished_at.size(); ++i) {
-        const MemberResult& member = result.members[result.finished_at[i]];
         const MemberRecord record = require_record(result.finished.records[i]);
         const CellWindow window = record.reached(result.grid);
         if (window.rows == 0) continue;
         const Raster depth = record.raster(Quantity::depth, part_of(result.grid, window));
-        PolygonFeature feature;
+        PolygonFeature feature = member_feature(input, result.members[result.finished_at[i]]);
         feature.parts = gis::polygonise(trace_mask(depth, input.base.spec.output.trace_threshold));
-        if (feature.parts.empty()) continue;
-        feature.numbers["member"] = static_cast<double>(member.member);
-        feature.numbers["weight"] = input.table.weights[member.member];
-        add_end(member.end, feature.numbers, feature.texts);
-        for (const Figure& figure : member.figures) feature.numbers[figure.key] = figure.value;
-        for (std::size_t k = 0; k < input.table.keys.size(); ++k)
-            feature.texts[input.table.keys[k]] = input.table.values[member.member][k];
-        if (!input.slopes.empty()) {
-            const Slope& slope = input.slopes[member.member];
-            feature.texts.insert({{"name", slope.name}, {"group", slope.group}, {"scenario", slope.scenario}});
-        }
-        layer.features.push_back(std::move(feature));
+        if (!feature.parts.empty()) traces.features.push_back(std::move(feature));
     }
-    if (input.slopes.empty())
-        write_result_outlines(path, result.grid.crs_wkt, {layer}, words_of(input.base.spec));
-    else
-        write_slopes(input, result, layer, path);
+    for (std::size_t i = 0; i < result.members.size() && !input.slopes.empty(); ++i) {
+        const MemberResult& member = result.members[i];
+        const Slope& slope = input.slopes[member.member];
+        PolygonFeature feature = member_feature(input, member);
+        feature.parts = slope.outline;
+        if (slope.return_period) feature.numbers["return_period"] = *slope.return_period;
+        feature.texts["status"] = member.failure.empty() ? "finished" : "failed";
+        feature.texts["reason"] = member.failure;
+        slopes.features.push_back(std::move(feature));
+    }
+    std::vector<gis::OutlineLayer> layers;
+    if (!input.slopes.empty()) layers.push_back(std::move(slopes));
+    layers.push_back(std::move(traces));
+    write_result_outlines(path, result.grid.crs_wkt, layers, words_of(input.base.spec));
 }
 
 bool is_kept(Keep keep, const MemberResult& member) {

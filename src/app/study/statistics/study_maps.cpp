@@ -29,8 +29,16 @@ void for_each_cell(const std::vector<UnionMember>& members, const GridSpec& grid
     }
 }
 
-void raise(double& greatest, double value) {
-    greatest = std::isnan(greatest) ? value : std::max(greatest, value);
+/// The greatest value in each cell; `value_of` returns NaN where a member has none.
+template <class ValueOf>
+Raster worst_of(const std::vector<UnionMember>& members, const GridSpec& grid, const ValueOf& value_of) {
+    Raster worst(grid, k_no_data);
+    for_each_cell(members, grid,
+                  [&](const UnionMember& member, const MemberRecord& record, std::size_t cell, std::size_t index) {
+                      const double value = value_of(member, record, index);
+                      if (!std::isnan(value)) worst.values[cell] = std::fmax(worst.values[cell], value);
+                  });
+    return worst;
 }
 
 }  // namespace
@@ -52,38 +60,27 @@ DepthUnion depth_union(const std::vector<UnionMember>& members, const GridSpec& 
 }
 
 Raster greatest_of(const std::vector<UnionMember>& members, Quantity quantity, const GridSpec& grid) {
-    Raster greatest(grid, k_no_data);
-    for_each_cell(members, grid,
-                  [&](const UnionMember&, const MemberRecord& record, std::size_t cell, std::size_t index) {
-                      const std::vector<float>& values = record.of(quantity);
-                      const bool has_class = quantity != Quantity::intensity || (!values.empty() && values[index] > 0);
-                      if (!values.empty() && has_class)
-                          raise(greatest.values[cell], static_cast<double>(values[index]));
-                  });
-    return greatest;
+    return worst_of(members, grid, [&](const UnionMember&, const MemberRecord& record, std::size_t index) {
+        const std::vector<float>& values = record.of(quantity);
+        const double value = values.empty() ? k_no_data : static_cast<double>(values[index]);
+        return quantity == Quantity::intensity && !(value > 0) ? k_no_data : value;
+    });
 }
 
 Raster earliest_arrival(const std::vector<UnionMember>& members, const GridSpec& grid) {
-    Raster earliest(grid, k_no_data);
-    for_each_cell(members, grid,
-                  [&](const UnionMember&, const MemberRecord& record, std::size_t cell, std::size_t index) {
-                      const auto arrival = static_cast<double>(record.arrival[index]);
-                      if (!std::isfinite(arrival)) return;
-                      double& first = earliest.values[cell];
-                      first = std::isnan(first) ? arrival : std::min(first, arrival);
-                  });
+    Raster earliest = worst_of(members, grid, [](const UnionMember&, const MemberRecord& record, std::size_t index) {
+        const auto arrival = static_cast<double>(record.arrival[index]);
+        return std::isfinite(arrival) ? -arrival : k_no_data;
+    });
+    earliest.values.for_each_stored([&](std::size_t cell, double value) { earliest.values[cell] = -value; });
     return earliest;
 }
 
 Raster worst_degree(const std::vector<UnionMember>& members, const GridSpec& grid, const DegreeMatrix& degrees) {
-    Raster worst(grid, k_no_data);
-    for_each_cell(
-        members, grid, [&](const UnionMember& member, const MemberRecord& record, std::size_t cell, std::size_t index) {
-            if (record.intensity.empty() || !(record.intensity[index] >= 1) || !member.return_period) return;
-            raise(worst.values[cell],
-                  static_cast<double>(degrees.of(static_cast<int>(record.intensity[index]), *member.return_period)));
-        });
-    return worst;
+    return worst_of(members, grid, [&](const UnionMember& member, const MemberRecord& record, std::size_t index) {
+        if (record.intensity.empty() || !(record.intensity[index] >= 1) || !member.return_period) return k_no_data;
+        return static_cast<double>(degrees.of(static_cast<int>(record.intensity[index]), *member.return_period));
+    });
 }
 
 namespace {
