@@ -408,6 +408,7 @@ TEST_F(Calibrate, EveryMeasureIsZeroForTheRunThatWasSurveyed) {
     const Json event = calibration("stated")["events"][0];
     EXPECT_TRUE(event["stated_errors"].get<bool>());
     EXPECT_EQ(event["pieces"].get<double>(), 6);
+    EXPECT_GE(event["error_factor"].get<double>(), 1);
 }
 
 TEST_F(Calibrate, ChartsAndReportAreDrawn) {

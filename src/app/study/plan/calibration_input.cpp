@@ -158,13 +158,13 @@ EventSurvey::EventSurvey(const Prepared& base, const EventSpec& event, const std
         deposit_ = gis::coverage(survey.deposit, grid_);
     }
     const ObservedSpec& stated = base.spec.observed;
-    error_length_ = stated.error_length.value_or(10 * stated.perimeter_error.value_or(grid_.cell_size));
+    const double error_length = stated.error_length.value_or(10 * stated.perimeter_error.value_or(grid_.cell_size));
     if (stated.perimeter_error && measures_by(Evidence::scar)) {
-        outline_pieces_ = std::max(1.0, outline_->length() / error_length_);
+        outline_pieces_ = std::max(1.0, outline_->length() / error_length);
         outline_variance_ = std::pow(*stated.perimeter_error, 2) + std::pow(grid_.cell_size, 2) / 12;
     }
     if (stated.deposit_error && measures_by(Evidence::elevation_change)) {
-        deposit_pieces_ = std::max(1.0, masked_area(deposit_) / std::pow(error_length_, 2));
+        deposit_pieces_ = std::max(1.0, masked_area(deposit_) / std::pow(error_length, 2));
         deposit_variance_ = std::pow(*stated.deposit_error, 2);
     }
     for (const Weight& one : measures_) {

@@ -58,9 +58,6 @@ class EventSurvey {
     [[nodiscard]] double observed_runout() const noexcept { return runout_; }
     /// N of all stated errors together; 0: none is stated.
     [[nodiscard]] double pieces() const;
-    /// Outline: length over which errors are alike [m], and its N; 0 without a stated error.
-    [[nodiscard]] double error_length() const noexcept { return error_length_; }
-    [[nodiscard]] double outline_pieces() const noexcept { return outline_pieces_; }
 
   private:
     [[nodiscard]] double misfit(Measure measure, const MemberRecord& record) const;
@@ -81,7 +78,7 @@ class EventSurvey {
     Raster elevation_change_;  ///< [m]
     std::optional<LineSet> outline_;
     double scar_area_ = 0, runout_ = 0;
-    double error_length_ = 0, outline_pieces_ = 0, outline_variance_ = 0, deposit_pieces_ = 0, deposit_variance_ = 0;
+    double outline_pieces_ = 0, outline_variance_ = 0, deposit_pieces_ = 0, deposit_variance_ = 0;
     std::vector<Gauge> gauges_;
 };
 

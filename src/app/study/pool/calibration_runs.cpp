@@ -112,8 +112,6 @@ void compare_members(const CalibrationInput& input, std::size_t event, const Stu
     runs.measures = survey.measures();
     runs.observed_runout = survey.observed_runout();
     runs.pieces = survey.pieces();
-    runs.error_length = survey.error_length();
-    runs.outline_pieces = survey.outline_pieces();
     for (std::size_t i = first; i < runs.members.size(); ++i)
         if (runs.members[i].failure.empty())
             runs.members[i].agreement = survey.compare(require_record(records.place(i)));

@@ -28,8 +28,7 @@ struct EventRuns {
     std::vector<MemberOutcome> members;
     double cell_size = 0, observed_runout = 0;  ///< [m]
     double pieces = 0;                          ///< EventSurvey::pieces()
-    double error_length = 0, outline_pieces = 0;
-    std::string records;  ///< the folder that contains their folder of records
+    std::string records;                        ///< the folder that contains their folder of records
 };
 
 /// Members at places in all keys, run for every event.

@@ -235,7 +235,8 @@ Table failures_table(const CalibrationInput& input, const CalibrationRuns& runs,
     return table;
 }
 
-Table facts_table(const CalibrationRuns& runs, const CalibrationResult& result, const Words& words) {
+Table facts_table(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
+                  const Words& words) {
     const ReportNumbers number(words);
     std::vector<std::string> cells;
     for (const EventRuns& event : runs.events) cells.push_back(number(event.cell_size));
@@ -246,7 +247,13 @@ Table facts_table(const CalibrationRuns& runs, const CalibrationResult& result, 
     table.row({words("Cells [m]"), joined(cells, ", ")});
     if (const std::size_t failed = runs.failed(); failed > 0)
         table.row({words("Failed runs"), std::to_string(failed)}, "warning");
+    table.row({words("Last moves of the intervals [%]"),
+               number(100 * runs.moves[0], 2) + ", " + number(100 * runs.moves[1], 2)});
     for (const Sentence& pair : result.sentences) table.row({words("Not told apart"), pair.in(words)});
+    for (std::size_t e = 0; e < input.events(); ++e)
+        if (const auto& check = result.scheme_checks[e])
+            for (const auto& [name, value] : rows_of(*check))
+                table.row({worded("{1}: {2}", {input.spec().events[e].name, name}).in(words), value.in(words)});
     table.row({words("Limitations"), words("These events and this model; a score is a fit, not a forecast")});
     return table;
 }
@@ -258,15 +265,25 @@ Document answer(const CalibrationInput& input, const CalibrationRuns& runs, cons
     return answer.heading("answer", words("Values and answer"))
         .add(keys_table(input, result, words))
         .add(scores_table(input, result, words))
-        .add(facts_table(runs, result, words))
+        .add(facts_table(input, runs, result, words))
         .first_warnings(facts.warnings, words);
 }
 
-/// What the likelihood of each event rests on, and how the search ended.
-List assumptions(const CalibrationResult& result, const Words& words) {
-    List list;
-    for (const Sentence& sentence : result.assumed) list.items.push_back(sentence.in(words));
-    return list;
+/// What the likelihood of each event rests on.
+Table likelihood_table(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
+                       const Words& words) {
+    const ReportNumbers number(words);
+    Table table({words("event"), words("pieces of information"), "Q2", words("factor of the stated errors"),
+                 words("not counted")});
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        const bool is_stated = runs.events[e].pieces > 0;
+        table.row(
+            {input.spec().events[e].name,
+             is_stated ? number(runs.events[e].pieces, 3) : words("{1} (assumed)", {number(input.spec().exponent, 3)}),
+             number(result.q2[e], 2), is_stated ? number(result.widening[e], 2) : "",
+             joined(result.uncounted[e], ", ")});
+    }
+    return table;
 }
 
 void add_inputs(const CalibrationInput& input, const Words& words, Document& page) {
@@ -356,7 +373,7 @@ void write_calibration_report(const CalibrationInput& input, const CalibrationRu
     page.maps(maps, folder, words)
         .heading("scores", words("How well the events are explained"))
         .add(misfits_table(input, runs, result, words))
-        .add(assumptions(result, words))
+        .add(likelihood_table(input, runs, result, words))
         .charts(titles_of(k_calibration_charts), folder, words);
     add_inputs(input, words, page);
     if (!facts.warnings.empty()) page.warnings(facts.warnings, words);

@@ -41,8 +41,9 @@ struct CalibrationResult {
     std::vector<KeyPosterior> posteriors;  ///< by key
     std::vector<IndistinctPair> indistinct;
     std::vector<EventResult> events;
-    std::vector<Sentence> sentences;                        ///< what the surveys say
-    std::vector<Sentence> assumed;                          ///< the likelihood of each event, and how the search ended
+    std::vector<std::vector<std::string>> uncounted;        ///< by event: measures without a stated error beside others
+    std::vector<double> widening;                           ///< by event: CalibrationModel::widening()
+    std::vector<Sentence> sentences;                        ///< the keys that the surveys do not tell apart
     std::vector<Sentence> doubts;                           ///< why the intervals may be wrong
     std::vector<std::optional<SchemeCheck>> scheme_checks;  ///< by event
 };
