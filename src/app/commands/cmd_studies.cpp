@@ -20,12 +20,13 @@
 #include "app/study/plan/study_input.h"
 #include "app/study/pool/calibration_runs.h"
 #include "app/study/pool/member_runs.h"
-#include "app/study/pool/rounds.h"
 #include "app/study/pool/study_result.h"
 #include "app/study/publish/publish_calibration.h"
 #include "app/study/publish/publish_study.h"
 #include "app/study/publish/study_files.h"
 #include "app/study/record_files.h"
+#include "app/study/statistics/importance.h"
+#include "app/study/statistics/outline_maps.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
 #include "app/text/version.h"
@@ -206,6 +207,22 @@ MembersRun run_members(const study::StudyInput& input, const study::RunSetting& 
     }
 }
 
+/// Importance sampling: each round follows from the runs of those before, with their distances from the rare place.
+MembersRun run_rounds(study::StudyInput& input, const study::RunSetting& setting) {
+    MembersRun ran;
+    study::ImportanceSampling sampling(input.reading.study);
+    const study::RareEvent event = rare_event(input);
+    while (run_until(input, setting, input.table.size(), ran) && input.table.size() < input.members()) {
+        const study::StudyResult result = read_study_result(input, setting.folder, input.table.size());
+        std::vector<double> distances(input.table.size(), k_no_data);
+        const std::vector<double> known = distances_from_outline(
+            result.finished, study::Quantity::depth, event.threshold, result.grid, *cell_at(result.grid, event.place));
+        for (std::size_t i = 0; i < known.size(); ++i) distances[result.finished_at[i]] = known[i];
+        sampling.add_round(distances, input.table);
+    }
+    return ran;
+}
+
 /// A study of many runs of one scene, or a region of many slopes.
 struct ManyRuns {
     using Texts = study::StudyTexts;
@@ -235,11 +252,7 @@ struct ManyRuns {
     static std::span<const study::StudyInput> studies(const Input& input) { return {&input, 1}; }
 
     static MembersRun run(Input& input, const study::RunSetting& setting, RunLog&) {
-        if (input.table.parts.empty()) return run_members(input, setting);
-        MembersRun ran;
-        study::run_importance(input, setting.folder,
-                              [&](std::size_t end) { return run_until(input, setting, end, ran); });
-        return ran;
+        return input.table.parts.empty() ? run_members(input, setting) : run_rounds(input, setting);
     }
     static study::StudyOutcome publish(Input& input, const MembersRun& ran, int threads, const Stopwatch& since_start,
                                        ResultDirectory& directory, RunLog& log) {

@@ -262,15 +262,9 @@ Columns columns_of(const CalibrationInput& input, const CalibrationRuns& runs, c
     return columns;
 }
 
-std::string line_of(const std::vector<std::string>& cells) {
-    std::string text;
-    for (std::size_t i = 0; i < cells.size(); ++i) text += (i == 0 ? "" : ",") + csv_cell(cells[i]);
-    return text + "\n";
-}
-
 std::string csv_of(const Columns& columns) {
-    std::string text = line_of(columns.names);
-    for (const auto& row : columns.rows) text += line_of(row);
+    std::string text = csv_line(columns.names);
+    for (const auto& row : columns.rows) text += csv_line(row);
     return text;
 }
 

@@ -38,76 +38,74 @@ std::string figure_cell(const MemberResult& member, const std::string& key) {
     return "";
 }
 
-std::string cells(const std::optional<Interval>& interval) {
-    if (!interval || std::isnan(interval->low)) return ",";
-    return shortest_text(interval->low) + "," + shortest_text(interval->high);
-}
-
-std::string value_cell(const std::optional<Interval>& interval) {
-    return interval ? shortest_text(interval->value) : "";
+std::string cell(const std::optional<double>& value) {
+    return value && !std::isnan(*value) ? shortest_text(*value) : "";
 }
 
 /// What the attributes of a region's slopes say, and the terrain on which each ran, as terrain.bounds takes it.
-std::string slope_columns(const StudyInput& input) {
-    return input.slopes.empty() ? "" : ",name,group,scenario,return_period,terrain.bounds";
-}
+constexpr const char* k_slope_columns[] = {"name", "group", "scenario", "return_period", "terrain.bounds"};
 
-std::string slope_cells(const StudyInput& input, const MemberResult& member) {
-    if (input.slopes.empty()) return "";
-    const Slope& slope = input.slopes[member.member];
+std::vector<std::string> slope_cells(const Slope& slope, const MemberResult& member) {
     const Bounds& box = member.terrain;
     const std::string bounds = shortest_text(box.west) + " " + shortest_text(box.south) + " " +
                                shortest_text(box.east) + " " + shortest_text(box.north);
-    return "," + csv_cell(slope.name) + "," + csv_cell(slope.group) + "," + csv_cell(slope.scenario) + "," +
-           (slope.return_period ? shortest_text(*slope.return_period) : "") + "," +
-           (member.figures.empty() ? "" : bounds);
+    return {slope.name, slope.group, slope.scenario, cell(slope.return_period), member.figures.empty() ? "" : bounds};
+}
+
+void append(std::vector<std::string>& list, const auto& more) {
+    list.insert(list.end(), std::begin(more), std::end(more));
 }
 
 }  // namespace
 
 std::string members_csv(const StudyInput& input, const StudyResult& result) {
     const std::vector<std::string> figures = figure_columns(result);
-    std::string text = "member,status,weight";
-    text += slope_columns(input);
-    for (const std::string& key : input.table.keys) text += "," + csv_cell(key);
     // A member that was cut ran on: its row repeats it all the same.
     const auto& keys = input.table.keys;
     const bool has_end = std::find(keys.begin(), keys.end(), k_end_key) == keys.end();
-    if (has_end) text += std::string(",") + k_end_key;
-    for (const std::string& figure : figures) text += "," + csv_cell(figure);
-    text += ",engine_seconds";
-    for (const char* column : k_end_columns) text += std::string(",") + column;
-    text += ",reason\n";
+    std::vector<std::string> heads{"member", "status", "weight"};
+    if (!input.slopes.empty()) append(heads, k_slope_columns);
+    append(heads, keys);
+    if (has_end) heads.emplace_back(k_end_key);
+    append(heads, figures);
+    heads.emplace_back("engine_seconds");
+    append(heads, k_end_columns);
+    heads.emplace_back("reason");
+    std::string text = csv_line(heads);
     for (const MemberResult& member : result.members) {
-        text += std::to_string(member.member) + (member.failure.empty() ? ",finished," : ",failed,") +
-                shortest_text(input.table.weights[member.member]);
-        text += slope_cells(input, member);
-        for (const std::string& value : input.table.values[member.member]) text += "," + csv_cell(value);
-        if (has_end) text += "," + (member.end.stop_reason.empty() ? "" : shortest_text(member.end.end));
-        for (const std::string& figure : figures) text += "," + figure_cell(member, figure);
-        text += "," + shortest_text(member.engine_seconds);
-        for (const std::string& cell : end_values(member.end)) text += "," + csv_cell(cell);
-        text += "," + csv_cell(member.failure) + "\n";
+        std::vector<std::string> row{std::to_string(member.member), member.failure.empty() ? "finished" : "failed",
+                                     shortest_text(input.table.weights[member.member])};
+        if (!input.slopes.empty()) append(row, slope_cells(input.slopes[member.member], member));
+        append(row, input.table.values[member.member]);
+        if (has_end) row.push_back(member.end.stop_reason.empty() ? "" : shortest_text(member.end.end));
+        for (const std::string& figure : figures) row.push_back(figure_cell(member, figure));
+        row.push_back(shortest_text(member.engine_seconds));
+        append(row, end_values(member.end));
+        row.push_back(member.failure);
+        text += csv_line(row);
     }
     return text;
 }
 
 std::string sensitivity_csv(const StudyInput& input, const std::vector<FigureSensitivity>& figures) {
-    std::string text =
-        "figure,key,first_order,total,low,high,total_low,total_high,rank_correlation,rank_low,rank_high,method,q2\n";
+    std::string text = csv_line({"figure", "key", "first_order", "total", "low", "high", "total_low", "total_high",
+                                 "rank_correlation", "rank_low", "rank_high", "method", "q2"});
     for (const FigureSensitivity& figure : figures) {
         for (std::size_t k = 0; k < figure.keys.size(); ++k) {
             const KeySensitivity& one = figure.keys[k];
-            text += csv_cell(figure.figure.key) + "," + csv_cell(input.table.keys[k]) + "," +
-                    value_cell(one.first_order) + "," + value_cell(one.total) + "," + cells(one.first_order) + "," +
-                    cells(one.total) + "," + value_cell(one.rank_correlation) + "," + cells(one.rank_correlation) +
-                    "," + (one.method.empty() ? "not measurable" : one.method) + "," +
-                    (std::isnan(figure.q2) ? "" : shortest_text(figure.q2)) + "\n";
+            const auto of = [](const std::optional<Interval>& interval, double Interval::*member) {
+                return interval ? cell((*interval).*member) : "";
+            };
+            text += csv_line({figure.figure.key, input.table.keys[k], of(one.first_order, &Interval::value),
+                              of(one.total, &Interval::value), of(one.first_order, &Interval::low),
+                              of(one.first_order, &Interval::high), of(one.total, &Interval::low),
+                              of(one.total, &Interval::high), of(one.rank_correlation, &Interval::value),
+                              of(one.rank_correlation, &Interval::low), of(one.rank_correlation, &Interval::high),
+                              one.method.empty() ? "not measurable" : one.method, cell(figure.q2)});
         }
         if (!std::isnan(figure.q2))
-            text += csv_cell(figure.figure.key) + "," + k_not_explained + "," +
-                    shortest_text(std::min(1.0, 1 - figure.q2)) + ",,,,,,,,,polynomial chaos," +
-                    shortest_text(figure.q2) + "\n";
+            text += csv_line({figure.figure.key, k_not_explained, shortest_text(std::min(1.0, 1 - figure.q2)), "", "",
+                              "", "", "", "", "", "", "polynomial chaos", cell(figure.q2)});
     }
     return text;
 }
