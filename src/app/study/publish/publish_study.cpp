@@ -278,16 +278,6 @@ void warn_of_error(const StudyInput& input, const StudyResult& result, const Stu
             worded("study.until = {1} is not reached with all members: raise study.samples", {shortest_text(*until)}));
 }
 
-void tell_sensitivities(const std::vector<FigureSensitivity>& figures, RunLog& log) {
-    std::string text;
-    for (const FigureSensitivity& figure : figures)
-        if (!std::isnan(figure.q2))
-            text += (text.empty() ? "" : ", ") + figure.figure.key + " " + number_text(figure.q2, 2);
-    if (!text.empty())
-        log.note("Q2 of polynomials of the keys (fractions of the variance from " + number_text(k_least_q2, 2) +
-                 " on): " + text);
-}
-
 /// The probabilities against the scene's surveyed outline, where it has one.
 struct StudyComparison {
     ProbabilityMap map;
@@ -368,7 +358,6 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
         } else {
             publish_study_ground(input, directory);
             figures = sensitivities(input, result);
-            tell_sensitivities(figures, log);
             publish_study_maps(input, result, directory, facts);
             facts.rare_place = rare_place_of(input, result);
             warn_of_error(input, result, facts, log);

@@ -315,10 +315,8 @@ Document sensitivity_table(const StudyInput& input, const std::vector<FigureSens
                            const Words& words) {
     const ReportNumbers number(words);
     Table table({words("value"), words("key"), words("first order"), words("total"), words("rank correlation"), "Q2"});
-    std::vector<std::string> untold;
     for (const FigureSensitivity& figure : figures) {
         const std::string title = figure_title(figure.figure, words);
-        if (figure.q2 < k_least_q2) untold.push_back(title);
         for (std::size_t k = 0; k < figure.keys.size(); ++k) {
             const KeySensitivity& one = figure.keys[k];
             table.row({title, input.table.keys[k], interval_text(one.first_order, words),
@@ -326,19 +324,10 @@ Document sensitivity_table(const StudyInput& input, const std::vector<FigureSens
                        std::isnan(figure.q2) ? words("not measurable") : number(figure.q2, 2)});
         }
     }
-    Document section;
-    section.add(table);
-    if (are_dependent)
-        section.small(words("The varied keys are correlated: no fraction of the variance is that of one of them."));
-    else if (!untold.empty())
-        section.small(
-            words("No fraction of the variance is told of {1}: there polynomials of the keys do not predict "
-                  "the runs (Q2 less than {2}). More runs may help.",
-                  {joined(untold, ", "), number(k_least_q2)}));
-    return section.small(
-        words("First order and total are fractions of the variance of a value that its key explains, alone and with "
-              "others. The rank correlation is no fraction: it tells whether the two rise together. In brackets the "
-              "interval of 95 %. Q2: part of the variance that polynomials of the keys predict of runs left out."));
+    return Document().add(table).small(
+        are_dependent ? words("Correlated keys: no fraction of the variance is that of one of them.")
+                      : words("Fractions of the variance, alone and with others; none where Q2 is less than {1}.",
+                              {number(k_least_q2)}));
 }
 
 Table failures_list(const StudyResult& result, const Words& words) {
