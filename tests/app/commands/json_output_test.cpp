@@ -92,7 +92,7 @@ TEST_F(Document, ErrorsAreInPartsAndStayOnStderr) {
     EXPECT_EQ(frana({"check", "scene.ini"}).out, "");  // only where it was asked for
 }
 
-TEST_F(Document, OfCompareAndOfARanking) {
+TEST_F(Document, OfCompare) {
     write_scene(k_numbers_only);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "a", "--quiet"}).exit_code, 0);
     const std::string trace = "a/extent.gpkg|layer=trace";
