@@ -116,11 +116,7 @@ TEST_F(Command, ParamsAndMaterials) {
          {"\nswiss-flood\n  Switzerland, floods; intensities of scenarios of 30, 100, 300 years",
           "\n  Customary limits, source not read\n", "\n  2  Red zone: pressure > 10 kPa\n"})
         EXPECT_NE(schemes.out.find(line), std::string::npos) << line << " in\n" << schemes.out;
-    const Json document = parse_json(frana({"schemes", "--json"}).out);
-    EXPECT_EQ(document["command"], "schemes");
-    ASSERT_EQ(document["schemes"].size(), 7U);
-    EXPECT_EQ(document["schemes"][0]["name"], "austrian-avalanche");
-    EXPECT_EQ(document["schemes"][0]["source_read"], false);
+    EXPECT_NE(schemes.out.find("\n  Degree of hazard: all, channel-debris-flow\n"), std::string::npos) << schemes.out;
 }
 
 TEST_F(Command, SchemesListsFrictionTablesAndChecksAFileOfOnesOwn) {
@@ -130,11 +126,9 @@ TEST_F(Command, SchemesListsFrictionTablesAndChecksAFileOfOnesOwn) {
                                    "\n  Limits of altitude: 1 000, 1 500 m\n", "\n  4  Gully: curvature 0.05 1/m\n"})
         EXPECT_NE(listed.out.find(line), std::string::npos) << line << " in\n" << listed.out;
     write("own.ini", own_friction_table(0.2));
-    const Json own = parse_json(frana({"schemes", "own.ini", "--friction", "--json"}).out)["friction_tables"];
-    ASSERT_EQ(own.size(), 1U);
-    EXPECT_EQ(own[0]["name"], "own");
-    EXPECT_EQ(own[0]["source_read"], false);
-    EXPECT_EQ(own[0]["forest"], true);
+    const std::string own = frana({"schemes", "own.ini", "--friction"}).out;
+    for (const std::string line : {"own\n  ", "\n  Source not read\n", "\n  Has values for forest\n"})
+        EXPECT_NE(own.find(line), std::string::npos) << own;
     write("bad.ini", own_friction_table(7));
     const Outcome refused = frana({"schemes", "bad.ini", "--friction"});
     EXPECT_EQ(refused.exit_code, 2);
