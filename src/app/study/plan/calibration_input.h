@@ -21,8 +21,6 @@ const MeasureRow& row_of(Measure measure);
 bool has_evidence(const Prepared& base, const EventSpec& event, Evidence evidence);
 /// Whether a run-out or values at gauges that the study gives have a stated error.
 bool has_stated_error(const EventSpec& event, Evidence evidence);
-/// Adds a problem for each gauge with an observed value that the scene does not have.
-void check_gauges(const Prepared& base, const EventSpec& event, const std::string& where, Problems& problems);
 
 /// How far a member is from what was surveyed.
 struct MemberAgreement {
@@ -81,9 +79,6 @@ class EventSurvey {
     double outline_pieces_ = 0, outline_variance_ = 0, deposit_pieces_ = 0, deposit_variance_ = 0;
     std::vector<Gauge> gauges_;
 };
-
-/// r(a, b) = |a - b| / max(a, b), from 0 to 1; 0 if both are 0.
-double relative_difference(double a, double b);
 
 /// A calibration whose files have been read as text.
 struct CalibrationTexts {

@@ -362,11 +362,6 @@ StudyTexts read_study_scenes(StudyReading reading, SampleTable table) {
     return texts;
 }
 
-void redraw(StudyInput& input) {
-    input.table = read_samples(input.reading);
-    input.reading.problems.throw_if_any();
-}
-
 StudyInput prepare_study(StudyTexts texts, const std::optional<Problem>& place, RunLog& log) {
     StudyInput input;
     input.reading = std::move(texts.reading);

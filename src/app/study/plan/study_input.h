@@ -55,9 +55,6 @@ struct StudyInput {
     [[nodiscard]] SceneReading scene_with(const std::vector<std::string>& overrides) const;
 };
 
-/// Draws other members for a study that was prepared, as its `reading.study` says by now. Throws Error(input).
-void redraw(StudyInput& input);
-
 /// A study whose files have been read as text: where its result goes is known, and all problems so far.
 struct StudyTexts {
     StudyReading reading;

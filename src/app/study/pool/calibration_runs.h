@@ -62,11 +62,6 @@ struct RunSetting {
 /// What another rank reads of a calibration: its events.
 RankStudies studies_of(CalibrationInput input);
 
-/// Compares the records of an event's members from `first` on with its survey, and adds them to its runs. Throws
-/// Error(environment) for one that cannot be read.
-void compare_members(const CalibrationInput& input, std::size_t event, const StudyInput& members, std::size_t first,
-                     EventRuns& runs);
-
 /// Returns what the members say of all places.
 CalibrationModel model_of(const CalibrationSpec& calibration, const CalibrationRuns& runs);
 

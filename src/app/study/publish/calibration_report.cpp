@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/study/publish/calibration_report.h"
+#include "app/study/publish/publish_calibration.h"
 
 #include <algorithm>
 #include <cmath>
@@ -294,6 +294,12 @@ void add_inputs(const CalibrationInput& input, const Words& words, Document& pag
     }
 }
 
+std::string calibration_title(const CalibrationInput& input) {
+    std::string names;
+    for (const EventSpec& event : input.spec().events) names += (names.empty() ? "" : ", ") + event.name;
+    return names;
+}
+
 /// What the charts of a calibration show.
 struct CalibrationData {
     const CalibrationInput& input;
@@ -353,12 +359,6 @@ void draw_calibration_charts(const CalibrationInput& input, const CalibrationRes
     directory.make_folder("charts");
     draw_chart_rows(k_calibration_charts, CalibrationData{input, result}, source, directory.folder(),
                     scene.output.report, log);
-}
-
-std::string calibration_title(const CalibrationInput& input) {
-    std::string names;
-    for (const EventSpec& event : input.spec().events) names += (names.empty() ? "" : ", ") + event.name;
-    return names;
 }
 
 void write_calibration_report(const CalibrationInput& input, const CalibrationRuns& runs,

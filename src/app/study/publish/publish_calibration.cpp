@@ -10,7 +10,6 @@
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
 #include "app/study/pool/study_result.h"
-#include "app/study/publish/calibration_report.h"
 #include "app/study/statistics/cell_statistics.h"
 #include "app/study/statistics/sensitivity.h"
 #include "app/text/number_text.h"
@@ -142,12 +141,6 @@ void judge(const CalibrationInput& input, const CalibrationRuns& runs, const Cal
 
 }  // namespace
 
-double score_of(const std::vector<double>& misfits) {
-    double sum = 0;
-    for (const double misfit : misfits) sum += 1 - misfit;
-    return sum / static_cast<double>(misfits.size());
-}
-
 std::string column_of(const CalibrationSpec& calibration, const KeySample& key) {
     return key.event.empty() || calibration.events.size() == 1 ? key.key : key.key + " of " + key.event;
 }
@@ -156,11 +149,7 @@ CalibrationResult calibration_result(const CalibrationInput& input, const Calibr
     const CalibrationModel model = model_of(input.spec(), runs);
     const PosteriorSample sample = model.sample();
     CalibrationResult result;
-    const auto best = model.best();
-    if (!best)
-        throw Error(ErrorKind::numerical, Problem{"no member finished for all events at once", input.reading.label, "",
-                                                  "", "Narrow the ranges in [vary], or raise study.samples"});
-    result.best = *best;
+    result.best = *model.best();  // run_calibration() ends without one
     result.q2 = model.q2();
     result.weights = model.member_weights(sample);
     result.effective = effective_count(result.weights);
@@ -190,6 +179,13 @@ CalibrationResult calibration_result(const CalibrationInput& input, const Calibr
 }
 
 namespace {
+
+/// Mean over the events of a member's scores; NaN if it failed at one.
+double score_of(const std::vector<double>& misfits) {
+    double sum = 0;
+    for (const double misfit : misfits) sum += 1 - misfit;
+    return sum / static_cast<double>(misfits.size());
+}
 
 /// The members as a table.
 struct Columns {
