@@ -112,6 +112,12 @@ void add_study(Table& table) {
         row.with_study = with_study;
     };
     of_all("hit_count", "Runs that arrived", "Number of runs that reached the cell", "-", "depth", k_even, true);
+    ResultRaster& sensitivity = for_values("sensitivity", "Sensitivity to {}",
+                                           "Fraction of the variance of the distance from the outline that {} explains",
+                                           "-", "velocity", k_even);
+    sensitivity.with_study = true;
+    sensitivity.bounds = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1};
+    table.by("batch", "by `frana batch`");
     of_all("union_max_depth", "Maximum depth of all sources", "Greatest depth that any source causes, vertical", "m",
            "depth", k_progressive, true);
     of_all("union_max_velocity", "Maximum velocity of all sources", "Greatest speed that any source causes", "m/s",
@@ -122,11 +128,6 @@ void add_study(Table& table) {
            k_even);
     of_all("worst_source", "Number of the worst source", "Number of the source that causes the greatest depth", "-", "",
            k_even);
-    ResultRaster& sensitivity = for_values("sensitivity", "Sensitivity to {}",
-                                           "Fraction of the variance of the distance from the outline that {} explains",
-                                           "-", "velocity", k_even);
-    sensitivity.with_study = true;
-    sensitivity.bounds = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1};
 }
 
 /// What a region of many slopes writes besides.
