@@ -197,11 +197,8 @@ bool run_until(const study::StudyInput& input, const study::RunSetting& setting,
 MembersRun run_members(const study::StudyInput& input, const study::RunSetting& setting) {
     const std::size_t all = input.table.size();
     MembersRun ran;
-    if (!input.reading.study.until) {
-        run_until(input, setting, all, ran);
-        return ran;
-    }
-    for (std::size_t end = std::min(all, next_check(0));; end = std::min(all, next_check(end))) {
+    for (std::size_t end = 0;;) {
+        end = input.reading.study.until ? std::min(all, next_check(end)) : all;
         if (!run_until(input, setting, end, ran) || end == all || is_exact_enough(input, setting.folder, end))
             return ran;
     }

@@ -57,13 +57,12 @@ enum class Sampling {
 
 /// How the values of members are found. A method is a row of k_samplings; its points are drawn in openturns/module.cpp.
 struct SamplingMethod {
-    /// A sample: the first members are one too, so that it may stop early; keys may be correlated. A design: all its
-    /// members together, with independent keys. Given: nothing is drawn.
+    /// A sample: the first members are one too, so that it may stop early, and more may follow; keys may be correlated.
+    /// A design: all its members together, with independent keys. Given: nothing is drawn.
     enum class Kind { sample, design, given };
     Sampling sampling;
     const char* name;  ///< of samples and designs in study.sampling
     Kind kind;
-    bool goes_on = false;     ///< more members may follow the last one, as --extend needs
     bool replicated = false;  ///< drawn in k_replicates parts that are randomised independently of each other
 };
 /// Members of an even design depend on each other, so that their number does not tell how sure their mean is. Parts of
@@ -71,9 +70,9 @@ struct SamplingMethod {
 /// Annals of Statistics 25, 1541). Few parts are evener, many tell their scatter better: with 8 the interval is least.
 inline constexpr std::size_t k_replicates = 8;
 inline constexpr SamplingMethod k_samplings[] = {
-    {Sampling::sobol, "sobol", SamplingMethod::Kind::sample, true, true},
-    {Sampling::random, "random", SamplingMethod::Kind::sample, true},
-    {Sampling::importance, "importance", SamplingMethod::Kind::design, false, true},
+    {Sampling::sobol, "sobol", SamplingMethod::Kind::sample, true},
+    {Sampling::random, "random", SamplingMethod::Kind::sample},
+    {Sampling::importance, "importance", SamplingMethod::Kind::design, true},
     {Sampling::table, "table", SamplingMethod::Kind::given},
     {Sampling::polygons, "per-polygon", SamplingMethod::Kind::given}};
 
@@ -136,7 +135,9 @@ struct StudySpec {
     std::optional<RegionSpec> region;  ///< a polygon for each member
 
     /// Whether more members may follow the last one, with the same ones before them.
-    [[nodiscard]] bool is_extensible() const noexcept { return method_of(sampling).goes_on; }
+    [[nodiscard]] bool is_extensible() const noexcept {
+        return method_of(sampling).kind == SamplingMethod::Kind::sample;
+    }
 };
 
 /// Returns the number of members that a study in rounds has after one of them.
