@@ -134,7 +134,7 @@ ENSEMBLE = (
     _raster("QUANTILE_VELOCITY_95", "Maximum velocity, 95 % quantile [m/s]", "quantile_max_velocity_95"),
     _raster("HIT_COUNT", "Number of runs that came"),
     Output("rasters", "PROBABILITIES", "All probabilities and their margins", "probability_*.tif"),
-    Output("rasters", "STATISTICS", "All means, deviations and quantiles", "mean_*.tif deviation_*.tif quantile_*.tif"),
+    Output("rasters", "STATISTICS", "All quantiles", "quantile_*.tif"),
     Output("rasters", "SENSITIVITY_MAPS", "Maps of sensitivity", "sensitivity_*.tif"),
     Output("layer", "OUTLINES", "Outlines of the runs", "members.gpkg|members"),
     Output("file", "MEMBERS", "Runs: values and figures (CSV)", "members.csv"),

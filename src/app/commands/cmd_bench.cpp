@@ -26,7 +26,6 @@ CommandForm bench_form() {
     form.options.add_options()("out", one("FOLDER"), "folder for the files")(
         "quick", "accuracy: two resolutions; speed: at most a million particles")(
         "case", many("CASE"), "accuracy, stability: only this case (may be repeated)")(
-        "json", "print one JSON document for scripts instead (share/doc/scripts.md)")(
         "threads", one("N"),
         "stability: threads of a run; speed: maximum number of threads (default: all; accuracy always uses one)");
     return form;

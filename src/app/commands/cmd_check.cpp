@@ -50,7 +50,6 @@ struct CheckedScene {
     const Prepared& prepared;
     const RunEstimate& expected;
     const std::optional<TimeEstimate>& trial;
-    const WritingForecast& writing;
     std::int64_t memory_bytes;
     const std::vector<SchemeTime>& schemes;
     int threads;
@@ -106,16 +105,13 @@ Json check_document(const CheckedScene& checked) {
     add_defaults(prepared, json);
     if (prepared.friction) json["friction_table"] = friction_json(*prepared.friction, {});
     const auto& trial = checked.trial;
-    const double engine = engine_seconds(expected, trial);
     json["run"] = {{"particles", expected.particles},
                    {"particles_at_most", trial ? Json(trial->particles_peak) : Json()},
                    {"memory_bytes", checked.memory_bytes},
                    {"first_step_s", expected.first_step_seconds},
                    {"end_s", prepared.scene.time.end},
                    {"threads", checked.threads},
-                   {"estimated_seconds", engine + checked.writing.seconds},
-                   {"engine_seconds", engine},
-                   {"disk_bytes", checked.writing.disk_bytes},
+                   {"estimated_seconds", engine_seconds(expected, trial)},
                    {"estimate_is_lower_bound", !trial.has_value()},
                    {"path", trial ? ground_json(trial->path) : Json()},
                    {"terms", expected.terms}};
@@ -197,20 +193,19 @@ double two_digits(std::int64_t count) {
 }
 
 /// Trial runs predict splitting and later speeds within a factor of about two.
-std::string time_text(const RunEstimate& expected, const std::optional<TimeEstimate>& trial, double rest, double end,
-                      int threads) {
-    const double engine = engine_seconds(expected, trial), all = engine + rest;
-    const std::string parts = ": " + number_text(engine, 2) + " s of computing on " + std::to_string(threads) +
-                              " threads, " + number_text(rest, 2) + " s of reading, writing and drawing";
+std::string time_text(const RunEstimate& expected, const std::optional<TimeEstimate>& trial, double end, int threads) {
+    const double engine = engine_seconds(expected, trial);
+    const std::string computing = " s of computing on " + std::to_string(threads) + " threads";
     if (!trial)
-        return "at least " + number_text(all, 2) + " s" + parts + "; more where the flow spreads" +
+        return "at least " + number_text(engine, 2) + computing + "; more where the flow spreads" +
                (expected.particles > 0 ? " and particles split" : "");
-    return "about " + number_text(all, 2) + " s (" + number_text(all / 2, 2) + " to " + number_text(2 * all, 2) +
-           " s)" + parts + ". From a trial on cells " + std::to_string(trial->coarsening) + " times as large" +
+    return "about " + number_text(engine, 2) + computing + " (" + number_text(engine / 2, 2) + " to " +
+           number_text(2 * engine, 2) + " s), from a trial on cells " + std::to_string(trial->coarsening) +
+           " times as large" +
            (trial->cut_short ? ", which reached " + number_text(trial->trial_end, 2) + " s"
                              : ", which ended at " + number_text(trial->trial_end, 2) + " s of " + shortest_text(end) +
                                    ": a deposit that creeps on to the end takes about " +
-                                   number_text(engine * end / trial->trial_end + rest, 2) + " s");
+                                   number_text(engine * end / trial->trial_end, 2) + " s");
 }
 
 /// Prints obstacles and zones on the working grid.
@@ -285,8 +280,7 @@ void print_schemes(const std::vector<SchemeTime>& schemes) {
 }
 
 void print_run(const Prepared& prepared, const RunEstimate& expected, const std::optional<TimeEstimate>& trial,
-               const WritingForecast& writing, const std::vector<SchemeTime>& schemes, int threads,
-               const std::string& directory) {
+               const std::vector<SchemeTime>& schemes, int threads, const std::string& directory) {
     const auto words = [](const std::string& a, const std::string& b) { return a + " " + b; };
     std::printf("\nRun\n");
     print_fact("released",
@@ -311,9 +305,8 @@ void print_run(const Prepared& prepared, const RunEstimate& expected, const std:
     }
     print_fact("first step", number_text(expected.first_step_seconds, 3) + " s, end at " +
                                  shortest_text(prepared.scene.time.end) + " s at most");
-    print_fact("estimated time", time_text(expected, trial, writing.seconds, prepared.scene.time.end, threads));
+    print_fact("estimated time", time_text(expected, trial, prepared.scene.time.end, threads));
     print_schemes(schemes);
-    print_fact("disk", "about " + bytes_text(writing.disk_bytes));
     print_levels(prepared, trial);
     for (std::size_t i = 0; i < expected.terms.size(); ++i) print_fact(i == 0 ? "terms" : "", expected.terms[i]);
     const std::string place = result_path(directory);
@@ -350,17 +343,13 @@ int cmd_check(const Arguments& arguments) {
     const std::string directory = out.value_or(output_directory(reading.scene));
     const std::optional<Problem> place_problem = check_result_directory(
         directory, Older::unknown, {}, out ? "--out" : reading.where("output.directory"), reading.problems);
-    const Stopwatch input_watch;
     Prepared prepared = prepare(reading, place_problem, log);
-    const double input_seconds = input_watch.seconds();
     // The libraries that draw are loaded by a run alone, unless their addresses count: where the shell limits these.
     const bool loads = std::isfinite(address_room());
     load_drawing(prepared.spec, loads ? Loading::now : Loading::later);
     const std::int64_t in_use = resident_memory() + (loads ? 0 : drawing_library_bytes(prepared.spec));
     const RunEstimate expected = estimate(prepared.scene, threads);
     const std::optional<TimeEstimate> trial = estimate_time(reading, prepared, expected, threads);
-    WritingForecast writing = forecast_writing(prepared, expected, trial);
-    writing.seconds += input_seconds;
     const std::int64_t memory = memory_of_run(prepared, in_use, expected, trial);
     refuse_run_of(memory, reading, prepared);
     const std::vector<SchemeTime> schemes =
@@ -369,7 +358,7 @@ int cmd_check(const Arguments& arguments) {
         std::printf("Scene %s is ready to run.\n", reading.scene.file.c_str());
         std::printf("\n%s", input_table(prepared, memory).c_str());
         print_site(prepared.scene);
-        print_run(prepared, expected, trial, writing, schemes, threads, directory);
+        print_run(prepared, expected, trial, schemes, threads, directory);
         std::fflush(stdout);
     }
     compare_volumes(prepared.release.file_volume, expected.volume, log);
@@ -387,7 +376,7 @@ int cmd_check(const Arguments& arguments) {
         warn_of_unknown_exposure(*exposed, prepared.scene.grid.bounds(), &prepared.scene.terrain, log);
     if (json)
         print_document(
-            check_document({prepared, expected, trial, writing, memory, schemes, threads, directory, log.warnings()}));
+            check_document({prepared, expected, trial, memory, schemes, threads, directory, log.warnings()}));
     return static_cast<int>(ExitCode::done);
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -13,7 +12,6 @@
 #include "app/commands/forecast.h"
 #include "app/compare/comparison.h"
 #include "app/compare/probability_comparison.h"
-#include "app/compare/ranking.h"
 #include "app/input/check_inputs.h"
 #include "app/pictures/map_source.h"
 #include "app/pictures/result_numbers.h"
@@ -31,9 +29,7 @@
 #include "core/text.h"
 #include "gis/crs/crs.h"
 #include "gis/raster/raster_in.h"
-#include "params/grammar/ini_file.h"
 #include "params/keys/output_parameters.h"
-#include "params/keys/parameter.h"
 #include "params/keys/scene_spec.h"
 
 namespace frana::app {
@@ -43,7 +39,7 @@ namespace {
 struct Pair {
     std::string operand;
     std::optional<std::string> scar;
-    std::string name, folder;
+    std::string folder;
 };
 
 namespace fs = std::filesystem;
@@ -51,43 +47,6 @@ namespace fs = std::filesystem;
 bool names_same_file(const std::string& recorded, const std::string& given) {
     std::error_code error;
     return recorded == given || fs::weakly_canonical(recorded, error) == fs::weakly_canonical(given, error);
-}
-
-/// Name for folders and the ranking.
-std::string compared_name(const std::string& operand) {
-    if (!fs::is_directory(operand)) return fs::path(operand).stem().string();
-    const fs::path folder = fs::absolute(ResultReader(operand).directory()).lexically_normal();
-    return (folder.has_filename() ? folder : folder.parent_path()).filename().string();
-}
-
-/// Beside the first of the results, whatever folder one is in.
-std::string ranking_folder(const std::string& operand) {
-    const fs::path first = fs::is_directory(operand) ? fs::path(ResultReader(operand).directory()) : fs::path(operand);
-    const fs::path folder = fs::absolute(first).lexically_normal();
-    const fs::path beside = (folder.has_filename() ? folder : folder.parent_path()).parent_path();
-    const fs::path near = beside.lexically_relative(fs::current_path());
-    return near.empty() || *near.begin() == ".." ? beside.string() : near.string();
-}
-
-std::vector<Pair> pairs_of(const std::vector<std::string>& operands, const std::vector<std::string>& scars,
-                           const std::optional<std::string>& out, Ranking& ranking) {
-    std::vector<std::optional<std::string>> surveyed(scars.begin(), scars.end());
-    if (surveyed.empty()) surveyed.emplace_back();
-    if (operands.size() == 1 && surveyed.size() == 1) {
-        const std::string& only = operands.front();
-        const std::string usual = fs::is_directory(only) ? ResultReader(only).directory() : ".";
-        return {{only, surveyed.front(), "", out.value_or(usual)}};
-    }
-    std::vector<Pair> pairs;
-    const std::string folder = out.value_or(ranking_folder(operands.front()));
-    for (const std::string& operand : operands) {
-        for (const auto& scar : surveyed) {
-            const std::string name =
-                ranking.folder_for(compared_name(operand), scar ? fs::path(*scar).stem().string() : "deposit");
-            pairs.push_back({operand, scar, name, (fs::path(folder) / name).lexically_normal().string()});
-        }
-    }
-    return pairs;
 }
 
 std::vector<std::string> files_of(const Pair& pair, const MapStyle& style) {
@@ -98,87 +57,63 @@ std::vector<std::string> files_of(const Pair& pair, const MapStyle& style) {
 
 /// Checks, before anything is computed, that no input and no file of a result would be overwritten. Throws
 /// Error(input).
-void check_outputs(const std::vector<Pair>& pairs, const std::optional<std::string>& deposit,
-                   const std::string& ranking_file) {
+void check_outputs(const Pair& pair, const std::optional<std::string>& deposit) {
     KeptFiles kept;
     MapStyle any;
     any.formats = picture_formats();
-    for (const Pair& pair : pairs) {
-        if (fs::is_directory(pair.operand)) {
-            const std::string result = ResultReader(pair.operand).directory();
-            kept.add_result(result, comparison_files(result));
-        }
+    if (fs::is_directory(pair.operand)) {
+        const std::string result = ResultReader(pair.operand).directory();
+        kept.add_result(result, comparison_files(result));
+    } else {
+        kept.add(pair.operand);
     }
-    for (const Pair& pair : pairs) {  // whatever their names
-        if (!fs::is_directory(pair.operand)) kept.add(pair.operand);
-        kept.add(pair.scar.value_or(""));
-    }
+    kept.add(pair.scar.value_or(""));
     kept.add(deposit.value_or(""));
     Problems problems;
-    for (const Pair& pair : pairs) {
-        const std::vector<std::string> files = files_of(pair, any);
-        kept.check(files, "--out", problems);
-        problems.throw_if_any();  // one problem per file
-        check_own(pair.folder, files, "--out", {pair.operand}, problems);
-    }
-    if (pairs.size() > 1) {
-        kept.check({ranking_file}, "--out", problems);
-        std::vector<std::string> reads;
-        for (const Pair& pair : pairs) reads.push_back(pair.operand);
-        check_own(fs::path(ranking_file).parent_path().string(), {ranking_file}, "--out", reads, problems);
-    }
+    const std::vector<std::string> files = files_of(pair, any);
+    kept.check(files, "--out", problems);
+    problems.throw_if_any();  // one problem per file
+    check_own(pair.folder, files, "--out", {pair.operand}, problems);
     problems.throw_if_any();
 }
 
 /// The same survey may be compared again; what another one gave is not replaced unasked. Throws Error(input).
-void refuse_other_survey(const std::vector<Pair>& pairs, const std::string& deposit) {
-    Problems problems;
-    for (const Pair& pair : pairs) {
-        const std::optional<Json> older = read_json_file((fs::path(pair.folder) / k_comparison_file).string());
-        if (!older) continue;
-        const std::string observed = value_in<std::string>(*older, "/observed").value_or(""),
-                          of_deposit = value_in<std::string>(*older, "/deposit/observed").value_or("");
-        if (names_same_file(observed, pair.scar.value_or("")) && names_same_file(of_deposit, deposit)) continue;
-        problems.add({"contains the comparison with another survey", "--out", pair.folder,
-                      observed.empty() ? of_deposit : observed,
-                      "Choose another folder with --out, or add --overwrite"});
-    }
-    problems.throw_if_any();
+void refuse_other_survey(const Pair& pair, const std::string& deposit) {
+    const std::optional<Json> older = read_json_file((fs::path(pair.folder) / k_comparison_file).string());
+    if (!older) return;
+    const std::string observed = value_in<std::string>(*older, "/observed").value_or(""),
+                      of_deposit = value_in<std::string>(*older, "/deposit/observed").value_or("");
+    if (names_same_file(observed, pair.scar.value_or("")) && names_same_file(of_deposit, deposit)) return;
+    throw Error(ErrorKind::input, Problem{"contains the comparison with another survey", "--out", pair.folder,
+                                          observed.empty() ? of_deposit : observed,
+                                          "Choose another folder with --out, or add --overwrite"});
 }
 
-/// Of a map of probability: its scores are others, so it is in no ranking. Throws Error(input).
-void refuse_in_ranking(const std::vector<Pair>& pairs, const std::optional<std::string>& deposit) {
-    for (const Pair& pair : pairs) {
-        if (!is_probability(pair.operand)) continue;
-        if (pairs.size() > 1)
-            throw Error(ErrorKind::input,
-                        Problem{"is a map of probability, which cannot be ranked", "RESULT_DIR|RASTER", pair.operand,
-                                "", "Compare it alone, with one --observed"});
-        if (deposit)
-            throw Error(ErrorKind::input, Problem{"cannot be compared with a map of probability", "--deposit", *deposit,
-                                                  "", "Name the surveyed outline: --observed VECTOR"});
-    }
+/// Throws Error(input) for more than one.
+std::string only_one(const std::vector<std::string>& given, const std::string& what) {
+    if (given.size() == 1) return given.front();
+    throw Error(ErrorKind::input,
+                Problem{"is given more than once: one result is compared with one survey", what, joined(given, ", "),
+                        "", "Compare each with --out of its own; `frana calibrate` finds the values that agree best"});
 }
 
 }  // namespace
 
 CommandForm compare_form() {
-    CommandForm form{"frana compare RESULT_DIR|RASTER... --observed VECTOR... [--deposit FILE] [options]",
+    CommandForm form{"frana compare RESULT_DIR|RASTER --observed VECTOR [--deposit FILE] [options]",
                      "Compares simulated depths with a survey, in any CRS: areas, lines of a front, points of a "
                      "tip.\nPrints the scores and writes comparison.json, comparison_curve.csv, comparison.tif and "
-                     "comparison.png.\nSeveral results or outlines give one folder each, and a ranking in ranking.csv.",
+                     "comparison.png.",
                      "RESULT_DIR|RASTER",
                      {},
                      true};
-    form.options.add_options()("observed", many("FILE"),
-                               "surveyed areas, open lines (a front) or points (a tip); repeatable")(
+    form.options.add_options()("observed", many("FILE"), "surveyed areas, open lines (a front) or points (a tip)")(
         "scar", many("FILE"), "the same as --observed")(
         "deposit", one("FILE"), "surveyed deposit: polygons, or a raster of elevation after minus before")(
         "threshold", one("METRES"),
         "depth in metres over which ground counts as covered (default: the result's, else 0.1)")(
-        "out", one("FOLDER"),
-        "folder for the files (default: RESULT_DIR; the current folder for a RASTER; for a ranking that of the first "
-        "result)")("overwrite", "replace a comparison with another survey")(
+        "out", one("FOLDER"), "folder for the files (default: RESULT_DIR; the current folder for a RASTER)")(
+        "overwrite", "replace a comparison with another survey")(
         "size", one("SIZE"), "WIDTHxHEIGHT of the map in pixels (default: 1600x1200)")(
         "json", "print one JSON document for scripts instead (share/doc/scripts.md)");
     return form;
@@ -231,7 +166,7 @@ Simulated read_simulated(const std::string& operand, const std::optional<double>
         input.words = result.words();
     } else {
         input.depth = foreign_depth(operand);
-        simulated.source.title = compared_name(operand);
+        simulated.source.title = fs::path(operand).stem().string();
         simulated.source.foreign = true;
         input.words = simulated.source.style.words = Words(process_language());
         simulated.source.crs_label = gis::crs_name(input.depth.grid.crs_wkt);
@@ -330,20 +265,7 @@ void print_table(const std::string& table, const std::vector<std::string>& files
     for (const std::string& file : files) std::cout << "  " << one_line(file) << '\n';
 }
 
-/// The scene of a result, by key; empty for a raster.
-std::map<std::string, std::string> scene_values(const std::string& operand) {
-    std::map<std::string, std::string> values;
-    if (!fs::is_directory(operand)) return values;
-    const ResultReader result(operand);
-    if (!result.has(k_scene_file)) return values;
-    for (const IniEntry& entry : read_ini(result.path(k_scene_file))) {
-        const std::string key = present_name(entry.name);
-        values[key] = result.scene_value(key).value_or("");
-    }
-    return values;
-}
-
-/// Of a map of probability: its scores are others, so it is in no ranking.
+/// Of a map of probability, whose scores are others.
 int compare_probability(const Pair& pair, const std::optional<double>& threshold, const std::optional<Size>& size,
                         bool json) {
     ProbabilityMap map = read_probability_map(pair.operand, threshold);
@@ -385,58 +307,37 @@ int cmd_compare(const Arguments& arguments) {
     }
     const auto threshold = threshold_option(*values);
     const auto size = size_option(*values);
-    const auto out = text_option(*values, "out");
-    const auto operands = text_options(*values, "operand");
     const bool json = values->count("json") > 0;
-    Ranking ranking;
-    const std::vector<Pair> pairs = pairs_of(operands, scars, out, ranking);
-    const std::string ranking_file =
-        (fs::path(out.value_or(ranking_folder(operands.front()))) / "ranking.csv").lexically_normal().string();
-    refuse_in_ranking(pairs, deposit);
-    check_outputs(pairs, deposit, ranking_file);
-    if (values->count("overwrite") == 0) refuse_other_survey(pairs, deposit.value_or(""));
-    if (is_probability(pairs.front().operand)) return compare_probability(pairs.front(), threshold, size, json);
+    const std::string operand = only_one(text_options(*values, "operand"), "RESULT_DIR|RASTER");
+    const auto scar = scars.empty() ? std::nullopt : std::optional(only_one(scars, "--observed"));
+    const std::string usual = fs::is_directory(operand) ? ResultReader(operand).directory() : ".";
+    const Pair pair{operand, scar, text_option(*values, "out").value_or(usual)};
+    if (is_probability(operand) && deposit)
+        throw Error(ErrorKind::input, Problem{"cannot be compared with a map of probability", "--deposit", *deposit, "",
+                                              "Name the surveyed outline: --observed VECTOR"});
+    check_outputs(pair, deposit);
+    if (values->count("overwrite") == 0) refuse_other_survey(pair, deposit.value_or(""));
+    if (is_probability(operand)) return compare_probability(pair, threshold, size, json);
     RunLog log(false);
-    Json document = document_of("compare");
-    std::vector<std::string> written;
-    std::string operand;
-    Simulated simulated;
-    for (const Pair& pair : pairs) {
-        if (std::exchange(operand, pair.operand) != pair.operand) simulated = read_simulated(operand, threshold);
-        if (size) simulated.source.style.size = *size;
-        refuse_too_large(simulated, size ? "--size" : "output.map-size");
-        simulated.input.survey = read_survey(pair.scar, deposit, simulated.source.release, simulated.input.depth, log);
-        const Comparison comparison = compare_into(simulated, pair.folder, log);
-        record_files(files_of(pair, simulated.source.style));
-        renew_project(pair.folder);
-        std::vector<std::string> files = existing(files_of(pair, simulated.source.style));
-        add_report(pair.folder, renew_report(pair.folder, comparison, simulated.source), log, files);
-        written.insert(written.end(), files.begin(), files.end());
-        document["comparisons"].push_back({{"folder", pair.folder},
-                                           {"files", files},
-                                           {"comparison", Json::parse(comparison_json(comparison, simulated.input))}});
-        if (pair.name.empty()) {
-            if (!json) print_table(comparison_table(comparison, simulated.input, output_width()), files);
-            continue;
-        }
-        ranking.add(pair.name, pair.operand, pair.scar.value_or(deposit.value_or("")), comparison,
-                    scene_values(pair.operand));
-    }
-    document["warnings"] = texts_of(log.warnings());
-    if (pairs.size() == 1) {
-        const Json only = document["comparisons"].front();
-        for (const auto& [name, value] : only.items()) document[name] = value;
-        document.erase("comparisons");
+    Simulated simulated = read_simulated(operand, threshold);
+    if (size) simulated.source.style.size = *size;
+    refuse_too_large(simulated, size ? "--size" : "output.map-size");
+    simulated.input.survey = read_survey(scar, deposit, simulated.source.release, simulated.input.depth, log);
+    const Comparison comparison = compare_into(simulated, pair.folder, log);
+    record_files(files_of(pair, simulated.source.style));
+    renew_project(pair.folder);
+    std::vector<std::string> files = existing(files_of(pair, simulated.source.style));
+    add_report(pair.folder, renew_report(pair.folder, comparison, simulated.source), log, files);
+    if (json) {
+        Json document = document_of("compare");
+        document["folder"] = pair.folder;
+        document["files"] = files;
+        document["comparison"] = Json::parse(comparison_json(comparison, simulated.input));
+        document["warnings"] = texts_of(log.warnings());
+        print_document(document);
     } else {
-        begin_own(fs::path(ranking_file).parent_path().string(), {ranking_file});
-        write_text_file(ranking_file, ranking.csv());
-        record_files({ranking_file});
-        written.push_back(ranking_file);
-        document["files"] = Json::array({ranking_file});
-        document["ranking"] = rows_of(ranking.csv());
-        if (!json) print_table(ranking.table(output_width()), written);
+        print_table(comparison_table(comparison, simulated.input, output_width()), files);
     }
-    if (json) print_document(document);
     return static_cast<int>(ExitCode::done);
 }
 

@@ -155,22 +155,23 @@ std::vector<EstimatedValue> estimates_of(const std::vector<Level>& levels, const
     return estimates;
 }
 
-std::string csv_text(const std::vector<SchemeLevels>& schemes) {
-    std::string text = "scheme,cell_size_m,particles,steps,wall_seconds,cpu_seconds,error,not_converged";
-    for (const RunStatistic& name : reported_statistics()) text += std::string(",") + name.key;
-    for (const RunStatistic& name : reported_statistics()) text += std::string(",error_") + name.key;
-    text += '\n';
-    const auto cell = [](double value) { return "," + (std::isfinite(value) ? shortest_text(value) : std::string()); };
+/// The titles, then a row for each level.
+std::vector<std::vector<std::string>> level_rows(const std::vector<SchemeLevels>& schemes) {
+    std::vector<std::vector<std::string>> rows{
+        {"scheme", "cell_size_m", "particles", "steps", "wall_seconds", "cpu_seconds", "error", "not_converged"}};
+    for (const RunStatistic& name : reported_statistics()) rows[0].emplace_back(name.key);
+    for (const RunStatistic& name : reported_statistics()) rows[0].push_back(std::string("error_") + name.key);
+    const auto cell = [](double value) { return std::isfinite(value) ? shortest_text(value) : std::string(); };
     for (const SchemeLevels& one : schemes)
         for (const Level& l : one.levels) {
-            text += one.name() + cell(l.cell_size) + ',' + std::to_string(l.particles) + ',' + std::to_string(l.steps) +
-                    cell(l.wall_seconds) + cell(l.cpu_seconds) + cell(one.worst(l).first) + ',' +
-                    std::to_string(one.unknown());
-            for (const EstimatedValue& value : one.estimates) text += cell(value.statistic.of(l.statistics));
-            for (const EstimatedValue& value : one.estimates) text += cell(one.error(l, value));
-            text += '\n';
+            auto& row = rows.emplace_back();
+            row = {
+                one.name(),           cell(l.cell_size),   std::to_string(l.particles), std::to_string(l.steps),
+                cell(l.wall_seconds), cell(l.cpu_seconds), cell(one.worst(l).first),    std::to_string(one.unknown())};
+            for (const EstimatedValue& value : one.estimates) row.push_back(cell(value.statistic.of(l.statistics)));
+            for (const EstimatedValue& value : one.estimates) row.push_back(cell(one.error(l, value)));
         }
-    return text;
+    return rows;
 }
 
 constexpr double k_good = 0.05;  // error up to which a level counts as good
@@ -507,7 +508,10 @@ int cmd_converge(const Arguments& arguments) {
     const Words words = words_of(spec);
     write_uncertainty((folder / k_uncertainty).string() + ".tif", levels, spec, words);
     const std::string text = sentences(levels, schemes.front().estimates);
-    write_text_file((folder / k_table).string(), csv_text(schemes));
+    const std::vector<std::vector<std::string>> rows = level_rows(schemes);
+    std::string csv;
+    for (const auto& row : rows) csv += csv_line(row);
+    write_text_file((folder / k_table).string(), csv);
     write_error_estimate(folder.string(), spec, text);
     write_text_file((folder / k_study).string(), study_json(schemes, spec));
     is_drawn(k_chart, log, [&] { render::write_png((folder / k_chart).string(), chart_of(schemes, words)); });
@@ -519,7 +523,7 @@ int cmd_converge(const Arguments& arguments) {
         document["files"] = files_of(folder);
         if (!report.empty()) document["files"].push_back(report);
         document["convergence"] = Json::parse(study_json(schemes, spec));
-        document["levels"] = rows_of(csv_text(schemes));
+        document["levels"] = rows_of(rows);
         document["least_time"] = least_time(schemes);
         print_document(document);
     } else {

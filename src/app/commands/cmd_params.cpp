@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app/commands/command_line.h"
@@ -72,60 +71,18 @@ int cmd_materials(const Arguments& arguments) {
 }
 
 CommandForm schemes_form() {
-    CommandForm form{"frana schemes [FILE.ini] [--friction] [--json]",
+    CommandForm form{"frana schemes [FILE.ini] [--friction]",
                      "Prints the hazard schemes (hazard.scheme): their classes with limits, the source, and whether it "
                      "was read; with --friction the friction tables (material.friction-table).\nWith a file of one's "
                      "own: checks and prints that.",
                      "FILE.ini",
                      {}};
     form.operand_optional = true;
-    form.options.add_options()("friction", "friction tables in place of hazard schemes")(
-        "json", "print one JSON document for scripts instead (share/doc/scripts.md)");
+    form.options.add_options()("friction", "friction tables in place of hazard schemes");
     return form;
 }
 
 namespace {
-
-/// What a scheme and a table say of themselves.
-template <class DataOfFile>
-Json head_json(const DataOfFile& data) {
-    const bool is_read = data.is_source_read();
-    return {{"name", data.name},
-            {"title", data.called},
-            {"source", data.named_source},
-            {"source_read", is_read},
-            {"quote", is_read ? Json(data.quote) : Json()},
-            {"read_at", is_read ? Json(data.read_at) : Json()},
-            {"return_periods", data.periods}};
-}
-
-Json json_of(const HazardScheme& scheme) {
-    Json json = head_json(scheme);
-    json["classes_are"] = scheme.has_zones() ? "zones" : "intensities";
-    json["degree_of_hazard"] = !scheme.matrices.empty();
-    json["processes"] = Json::array();
-    for (const ProcessMatrix& one : scheme.matrices)
-        if (!one.process.empty()) json["processes"].push_back({{"process", one.process}, {"source", one.source}});
-    json["classes"] = Json::array();
-    for (const HazardClass& kind : scheme.classes)
-        json["classes"].push_back({{"class", kind.value},
-                                   {"label", kind.name},
-                                   {"thresholds", kind.thresholds},
-                                   {"colour", hex(kind.colour)}});
-    return json;
-}
-
-Json json_of(const FrictionTable& table) {
-    Json json = head_json(table);
-    json["note"] = table.note;
-    json["volume_limits"] = table.volumes;
-    json["altitude_limits"] = table.altitudes;
-    json["forest"] = table.forest.has_value();
-    json["classes"] = Json::array();
-    for (const FrictionTable::Terrain& kind : table.terrain)
-        json["classes"].push_back({{"label", kind.name}, {"curvature", kind.curvature}});
-    return json;
-}
 
 std::string numbers_text(const std::vector<double>& numbers) {
     std::vector<std::string> texts;
@@ -146,7 +103,9 @@ std::string text_of(const HazardScheme& scheme) {
                                  "Customary limits, source not read");
     for (const HazardClass& kind : scheme.classes)
         text += "  " + std::to_string(kind.value) + "  " + kind.label() + '\n';
-    return text;
+    std::vector<std::string> processes;
+    for (const ProcessMatrix& one : scheme.matrices) processes.push_back(one.process.empty() ? "all" : one.process);
+    return text + (processes.empty() ? "" : "  Degree of hazard: " + joined(processes, ", ") + '\n');
 }
 
 std::string text_of(const FrictionTable& table) {
@@ -165,25 +124,16 @@ std::string text_of(const FrictionTable& table) {
 
 /// Prints what `read` finds in files.
 template <class Read>
-void print_files(const std::vector<std::string>& files, const Read& read, const char* list, bool as_json) {
+void print_files(const std::vector<std::string>& files, const Read& read) {
     Problems problems;
-    Json json = Json::array();
     std::string text;
     for (const std::string& file : files) {
         const auto data = attempt(problems, [&] { return std::optional(read(file, file, problems)); });
         if (!data) continue;
-        json.push_back(json_of(*data));
-        json.back()["file"] = file;
         text += (text.empty() ? "" : "\n") + text_of(*data) + "  File: " + file + '\n';
     }
     problems.throw_if_any();
-    if (!as_json) {
-        std::cout << folded(text, output_width());
-        return;
-    }
-    Json document = document_of("schemes");
-    document[list] = std::move(json);
-    print_document(document);
+    std::cout << folded(text, output_width());
 }
 
 }  // namespace
@@ -191,16 +141,16 @@ void print_files(const std::vector<std::string>& files, const Read& read, const 
 int cmd_schemes(const Arguments& arguments) {
     const auto values = parse_arguments(schemes_form(), arguments);
     if (!values) return static_cast<int>(ExitCode::done);
-    const bool as_json = values->count("json") > 0, friction = values->count("friction") > 0;
+    const bool friction = values->count("friction") > 0;
     std::vector<std::string> files;
     if (values->count("operand") > 0)
         files = {(*values)["operand"].as<std::string>()};
     else
         files = data_files(share_directory(), friction ? k_friction_folder : k_scheme_folder);
     if (friction)
-        print_files(files, read_friction_table, "friction_tables", as_json);
+        print_files(files, read_friction_table);
     else
-        print_files(files, read_scheme, "schemes", as_json);
+        print_files(files, read_scheme);
     return static_cast<int>(ExitCode::done);
 }
 

@@ -20,12 +20,13 @@
 #include "app/study/plan/study_input.h"
 #include "app/study/pool/calibration_runs.h"
 #include "app/study/pool/member_runs.h"
-#include "app/study/pool/rounds.h"
 #include "app/study/pool/study_result.h"
 #include "app/study/publish/publish_calibration.h"
 #include "app/study/publish/publish_study.h"
 #include "app/study/publish/study_files.h"
 #include "app/study/record_files.h"
+#include "app/study/statistics/importance.h"
+#include "app/study/statistics/outline_maps.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
 #include "app/text/version.h"
@@ -126,13 +127,12 @@ std::int64_t extended_samples(const study::StudySpec& study, const std::string& 
     const std::string all = std::to_string(static_cast<std::int64_t>(members > 0 ? members : study.samples) + *count),
                       anew = "run the study anew with study.samples = " + all + " and --overwrite";
     if (!study.is_extensible())
-        refuse(study.per_polygon() ? "each polygon is a member, and there are no others"
-               : study.sampling == study::Sampling::table
+        refuse(study.sampling == study::Sampling::table
                    ? "the table gives all members"
                    : "a design of sampling = " + name_of(study.sampling) + " is made for its number of members",
                "sampling = sobol or random",
-               study.per_polygon() || study.sampling == study::Sampling::table
-                   ? "Add to the layer or the table and run the study anew with --overwrite"
+               study.sampling == study::Sampling::table
+                   ? "Add to the table and run the study anew with --overwrite"
                    : "To keep the design, " + anew + "; with sampling = sobol members can be added later");
     if (members == 0)
         refuse("there is no complete study with the records of its members in " + target, "",
@@ -197,14 +197,27 @@ bool run_until(const study::StudyInput& input, const study::RunSetting& setting,
 MembersRun run_members(const study::StudyInput& input, const study::RunSetting& setting) {
     const std::size_t all = input.table.size();
     MembersRun ran;
-    if (!input.reading.study.until) {
-        run_until(input, setting, all, ran);
-        return ran;
-    }
-    for (std::size_t end = std::min(all, next_check(0));; end = std::min(all, next_check(end))) {
+    for (std::size_t end = 0;;) {
+        end = input.reading.study.until ? std::min(all, next_check(end)) : all;
         if (!run_until(input, setting, end, ran) || end == all || is_exact_enough(input, setting.folder, end))
             return ran;
     }
+}
+
+/// Importance sampling: each round follows from the runs of those before, with their distances from the rare place.
+MembersRun run_rounds(study::StudyInput& input, const study::RunSetting& setting) {
+    MembersRun ran;
+    study::ImportanceSampling sampling(input.reading.study);
+    const study::RareEvent event = rare_event(input);
+    while (run_until(input, setting, input.table.size(), ran) && input.table.size() < input.members()) {
+        const study::StudyResult result = read_study_result(input, setting.folder, input.table.size());
+        std::vector<double> distances(input.table.size(), k_no_data);
+        const std::vector<double> known = distances_from_outline(
+            result.finished, study::Quantity::depth, event.threshold, result.grid, *cell_at(result.grid, event.place));
+        for (std::size_t i = 0; i < known.size(); ++i) distances[result.finished_at[i]] = known[i];
+        sampling.add_round(distances, input.table);
+    }
+    return ran;
 }
 
 /// A study of many runs of one scene, or a region of many slopes.
@@ -236,11 +249,7 @@ struct ManyRuns {
     static std::span<const study::StudyInput> studies(const Input& input) { return {&input, 1}; }
 
     static MembersRun run(Input& input, const study::RunSetting& setting, RunLog&) {
-        if (input.table.parts.empty()) return run_members(input, setting);
-        MembersRun ran;
-        study::run_importance(input, setting.folder,
-                              [&](std::size_t end) { return run_until(input, setting, end, ran); });
-        return ran;
+        return input.table.parts.empty() ? run_members(input, setting) : run_rounds(input, setting);
     }
     static study::StudyOutcome publish(Input& input, const MembersRun& ran, int threads, const Stopwatch& since_start,
                                        ResultDirectory& directory, RunLog& log) {

@@ -212,25 +212,6 @@ void add_place(const std::string& where, Json& json) {
     }
 }
 
-/// The cells of a line of CSV (RFC 4180).
-std::vector<std::string> cells_of(const std::string& line) {
-    std::vector<std::string> cells(1);
-    bool quoted = false;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        if (line[i] == '"') {
-            if (quoted && i + 1 < line.size() && line[i + 1] == '"')
-                cells.back() += line[++i];
-            else
-                quoted = !quoted;
-        } else if (line[i] == ',' && !quoted) {
-            cells.emplace_back();
-        } else {
-            cells.back() += line[i];
-        }
-    }
-    return cells;
-}
-
 }  // namespace
 
 Json document_of(const std::string& command) {
@@ -261,24 +242,16 @@ bool wants_document(const Arguments& words) {
     return std::find(words.begin(), words.end(), "--json") != words.end();
 }
 
-Json rows_of(const std::string& csv) {
+Json rows_of(const std::vector<std::vector<std::string>>& table) {
     Json rows = Json::array();
-    std::istringstream lines(csv);
-    std::string line;
-    std::getline(lines, line);
-    const std::vector<std::string> titles = cells_of(line);
-    while (std::getline(lines, line)) {
-        const std::vector<std::string> cells = cells_of(line);
-        Json row = Json::object();
-        for (std::size_t i = 0; i < std::min(titles.size(), cells.size()); ++i) {
-            const auto whole = integer_from_text(cells[i]);
-            const auto number = number_from_text(cells[i]);
-            row[titles[i]] = whole                                   ? Json(*whole)
-                             : number                                ? Json(*number)
-                             : cells[i].empty() || cells[i] == "nan" ? Json()
-                                                                     : Json(cells[i]);
+    for (std::size_t r = 1; r < table.size(); ++r) {
+        Json& row = rows.emplace_back(Json::object());
+        for (std::size_t i = 0; i < table[r].size(); ++i) {
+            const std::string& cell = table[r][i];
+            const auto whole = integer_from_text(cell);
+            const auto number = number_from_text(cell);
+            row[table[0][i]] = whole ? Json(*whole) : number ? Json(*number) : cell.empty() ? Json() : Json(cell);
         }
-        rows.push_back(std::move(row));
     }
     return rows;
 }

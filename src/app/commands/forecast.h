@@ -21,7 +21,6 @@ struct TimeEstimate {
     double engine_seconds = 0;
     std::int64_t particles_peak = 0;
     double steps = 0;
-    double reached_cells = 0;              ///< of the scene's size, that the trial's flow came to
     int coarsening = 1;                    ///< cells of the trial, in cells of the scene
     double trial_end = 0;                  ///< simulated time of the trial [s]
     bool cut_short = false;                ///< the trial was stopped before its end, the rest is extrapolated
@@ -50,23 +49,6 @@ struct SchemeTime {
 };
 /// Estimates that of a scene read with the scheme.
 SchemeTime scheme_time(const SceneReading& reading, int threads);
-
-/// What a command does besides computing: it reads, writes and draws.
-struct WritingForecast {
-    double seconds = 0;     ///< wall
-    double disk_bytes = 0;  ///< of the finished result
-};
-
-/// Of `frana run`. `trial`: for the time at which the flow ends and the ground it covers; without it the run reaches
-/// its end time and spreads as usual.
-WritingForecast forecast_writing(const Prepared& prepared, const RunEstimate& expected,
-                                 const std::optional<TimeEstimate>& trial);
-/// Of `frana ensemble` and `frana batch` of a region, whose members' records are deleted at the end. Contains the
-/// study's median member, which is computed again.
-WritingForecast forecast_study_writing(const study::StudyInput& input, const RunEstimate& member,
-                                       const std::optional<TimeEstimate>& trial, int threads);
-/// Of an event of `frana calibrate`.
-WritingForecast forecast_event_writing(const Prepared& event, const RunEstimate& member);
 
 /// Returns what a command's options say for all that it reads and runs; see memory_limit_from_text.
 Session session_of(const boost::program_options::variables_map& values, RunLog& log);

@@ -60,87 +60,93 @@ SlopePlan plan_of(const study::StudyInput& input, std::size_t member) {
     return plan;
 }
 
-std::string window_text(const SlopePlan& plan, double cell) {
-    if (!plan.window) return "the whole DTM";
-    return grouped(plan.window->width() / cell) + " x " + grouped(plan.window->height() / cell) + " cells";
-}
-
-std::string label_of(const study::StudyInput& input, std::size_t member) {
-    const study::Slope& slope = input.slopes[member];
+std::string label_of(const study::Slope& slope, std::size_t member) {
     return std::to_string(member) + (slope.name.empty() ? "" : " " + slope.name) +
            (slope.scenario.empty() ? "" : ", scenario " + slope.scenario);
 }
 
-void print_scenarios(const study::StudyInput& input) {
-    std::set<std::string> scenarios;
-    for (const study::Slope& slope : input.slopes) {
-        if (slope.scenario.empty()) continue;
-        const auto& years = slope.return_period;
-        scenarios.insert(slope.scenario + (years ? " (" + shortest_text(*years) + " years)" : ""));
+/// What all members of a study need.
+struct StudyCost {
+    double seconds = 0;           ///< wall time of computing on one thread
+    bool is_lower_bound = false;  ///< of the time: not every scene could be tried
+    bool may_end_early = false;   ///< not all members may run
+    std::int64_t peak_bytes = 0, worker_bytes = 0;
+
+    /// @param members as long as the central one
+    void add(const StudyForecast& one, double members) {
+        seconds += one.member_seconds() * members;
+        is_lower_bound = is_lower_bound || !one.trial;
+        peak_bytes = std::max(peak_bytes, one.peak_bytes);
+        worker_bytes = std::max(worker_bytes, one.worker_bytes);
     }
-    std::string text;
-    for (const std::string& one : scenarios) text += (text.empty() ? "" : ", ") + one;
-    if (!text.empty()) print_fact("scenarios", text);
+};
+
+/// The facts that every check of a study ends with.
+void print_end(const StudyCost& cost, int threads, const std::string& directory) {
+    print_fact("estimated time", std::string(cost.is_lower_bound  ? "at least "
+                                             : cost.may_end_early ? "at most about "
+                                                                  : "about ") +
+                                     duration_text(cost.seconds / threads) + " of computing, " +
+                                     std::to_string(threads) + " members at a time");
+    print_fact("memory", bytes_text(static_cast<double>(cost.peak_bytes)) +
+                             ", of which a member that runs takes up to " +
+                             bytes_text(static_cast<double>(cost.worker_bytes)));
+    const std::string target = result_path(directory);
+    print_fact("result",
+               target + (has_files(target) ? ", which contains a result already: --overwrite replaces it" : ""));
+    std::fflush(stdout);
 }
 
-void print_scheme(const study::StudyInput& input) {
-    if (const auto scheme = study::common_scheme(input))
-        print_fact("scheme", word_of(*scheme, k_schemes) + "; two members again by the other one, as a check");
+void add_end(const StudyCost& cost, int threads, const std::string& directory, Json& json) {
+    json["run"] = {{"threads", threads},
+                   {"estimated_seconds", cost.seconds / threads},
+                   {"estimate_is_lower_bound", cost.is_lower_bound},
+                   {"memory_bytes", cost.peak_bytes}};
+    const std::string target = result_path(directory);
+    json["result"] = {{"folder", target}, {"exists", has_files(target)}};
 }
 
-/// Returns the plan of each slope of a region, in order.
-std::vector<SlopePlan> slope_plans(const study::StudyInput& input) {
-    std::vector<SlopePlan> plans;
-    for (std::size_t i = 0; i < input.slopes.size(); ++i) plans.push_back(plan_of(input, i));
-    return plans;
-}
-
-/// Returns the time of all slopes together [s], by their areas.
-double region_seconds(const std::vector<SlopePlan>& plans, const StudyForecast& forecast, int threads) {
+/// Slopes take time by their areas.
+double members_of(const study::StudyInput& input, const std::vector<SlopePlan>& plans) {
+    if (!input.reading.study.region) return static_cast<double>(input.members());
     double largest = 0, all = 0;
     for (const SlopePlan& plan : plans) {
         largest = std::max(largest, plan.area);
         if (plan.problem.empty()) all += plan.area;
     }
-    return forecast.writing.seconds + (largest > 0 ? forecast.member_seconds() * all / largest / threads : 0);
+    return largest > 0 ? all / largest : 0;
 }
 
-/// Prints the slopes of a region, the terrain of each, those that would fail and why, and the cost of all.
-/// @param forecast of its largest slope
-void print_region(const study::StudyInput& input, const std::vector<SlopePlan>& plans, const StudyForecast& forecast,
-                  int threads, const std::string& target) {
-    const study::StudySpec& study = input.reading.study;
-    std::printf("Region %s is ready to run.\n\nScene %s\n\nSlopes\n", study.file.c_str(), study.scene.c_str());
+/// Prints the slopes of a region, the terrain of each, those that would fail and why.
+void print_slopes(const study::StudyInput& input, const std::vector<SlopePlan>& plans) {
     const double cell = input.base.scene.grid.cell_size;
-    const auto fails = [](const SlopePlan& plan) { return !plan.problem.empty(); };
-    for (std::size_t i = 0; i < std::min(k_listed, plans.size()); ++i)
-        if (!fails(plans[i]))
-            print_fact(label_of(input, i), grouped(plans[i].area) + " m2 on " + window_text(plans[i], cell));
+    std::vector<std::pair<std::string, std::string>> failing;
+    std::set<std::string> scenarios;
+    std::printf("Slopes\n");
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        const study::Slope& slope = input.slopes[i];
+        const SlopePlan& plan = plans[i];
+        const auto& years = slope.return_period;
+        if (!slope.scenario.empty())
+            scenarios.insert(slope.scenario + (years ? " (" + shortest_text(*years) + " years)" : ""));
+        if (!plan.problem.empty())
+            failing.emplace_back(label_of(slope, i), plan.problem);
+        else if (i < k_listed)
+            print_fact(label_of(slope, i), grouped(plan.area) + " m2 on " +
+                                               (plan.window ? grouped(plan.window->width() / cell) + " x " +
+                                                                  grouped(plan.window->height() / cell) + " cells"
+                                                            : "the whole DTM"));
+    }
     if (plans.size() > k_listed) print_fact("...", "and " + std::to_string(plans.size() - k_listed) + " more");
-    const auto failing = std::count_if(plans.begin(), plans.end(), fails);
-    if (failing > 0) std::printf("\nSlopes that fail\n");
-    for (std::size_t i = 0; i < plans.size(); ++i)
-        if (fails(plans[i])) print_fact(label_of(input, i), plans[i].problem);
+    if (!failing.empty()) std::printf("\nSlopes that fail\n");
+    for (const auto& [label, problem] : failing) print_fact(label, problem);
     std::printf("\nAll\n");
-    print_fact("slopes",
-               std::to_string(plans.size()) + (failing == 0 ? "" : ", of which " + std::to_string(failing) + " fail"));
-    print_scenarios(input);
-    print_scheme(input);
-    for (const study::RegionSpec::Column& one : study.region->columns) print_fact(one.key, "column " + one.column);
-    if (const auto& exposed = input.base.extra.exposure)
-        print_fact("exposed", grouped(static_cast<double>(exposed->features.size())) + " features");
-    print_fact("estimated time", std::string(forecast.trial ? "about " : "at least ") +
-                                     duration_text(region_seconds(plans, forecast, threads)) +
-                                     ", by the areas: " + duration_text(forecast.member_seconds()) +
-                                     " for the largest slope on one thread, " + std::to_string(threads) +
-                                     " at a time, and " + duration_text(forecast.writing.seconds) +
-                                     " of writing and drawing");
-    print_fact("memory", bytes_text(static_cast<double>(forecast.peak_bytes)) + ", of which the largest slope takes " +
-                             bytes_text(static_cast<double>(forecast.worker_bytes)));
-    print_fact("disk", disk_text(forecast));
-    print_fact("result",
-               target + (has_files(target) ? ", which contains a result already: --overwrite replaces it" : ""));
-    std::fflush(stdout);
+    print_fact("slopes", std::to_string(plans.size()) +
+                             (failing.empty() ? "" : ", of which " + std::to_string(failing.size()) + " fail"));
+    if (!scenarios.empty())
+        print_fact("scenarios", joined(std::vector<std::string>(scenarios.begin(), scenarios.end()), ", "));
+    for (const study::RegionSpec::Column& one : input.reading.study.region->columns)
+        print_fact(one.key, "column " + one.column);
 }
 
 /// Returns the list `slopes` of --json.
@@ -149,23 +155,19 @@ Json slopes_json(const study::StudyInput& input, const std::vector<SlopePlan>& p
     Json list = Json::array();
     for (std::size_t i = 0; i < plans.size(); ++i) {
         const study::Slope& slope = input.slopes[i];
-        const SlopePlan& plan = plans[i];
-        const auto& box = plan.window;
+        const auto& box = plans[i].window;
         list.push_back({{"member", i},
                         {"name", text(slope.name)},
                         {"group", text(slope.group)},
                         {"scenario", text(slope.scenario)},
                         {"return_period", slope.return_period ? Json(*slope.return_period) : Json()},
-                        {"area_m2", plan.area},
+                        {"area_m2", plans[i].area},
                         {"window", box ? Json::array({box->west, box->south, box->east, box->north}) : Json()},
-                        {"problem", text(plan.problem)}});
+                        {"problem", text(plans[i].problem)}});
     }
     return list;
 }
 
-// Of a record: three Float32 numbers for each cell that the flow reached. Flows spread to about so many times their
-// release in the samples.
-constexpr std::int64_t k_record_cell_bytes = 12, k_spread = 10, k_record_head_bytes = 2000;
 // Of the window of cells, and of the rasters made of a quantity at once.
 constexpr std::int64_t k_window_bytes = 256'000'000, k_rasters_at_once = 16;
 // Particles split where the flow spreads thin.
@@ -183,46 +185,27 @@ const char* use_of(study::TableColumn::Use use) {
     return "a value of an earlier study, not used";
 }
 
-double study_seconds(const StudyForecast& forecast, std::size_t members, int threads) {
-    return forecast.member_seconds() * static_cast<double>(members) / threads + forecast.writing.seconds;
+void print_keys(const std::vector<study::Variation>& vary, const std::string& of = {}) {
+    for (const study::Variation& one : vary) print_fact(one.key + of, one.distribution.text);
 }
 
-std::string time_text(const StudyForecast& forecast, std::size_t members, int threads) {
-    return std::string(forecast.trial ? "about " : "at least ") +
-           duration_text(study_seconds(forecast, members, threads)) + ": " + duration_text(forecast.member_seconds()) +
-           " a member on one thread, " + std::to_string(threads) + " at a time, and " +
-           duration_text(forecast.writing.seconds) + " of writing and drawing";
-}
-
-void print_study(const study::StudyInput& input, const StudyForecast& forecast, int threads,
-                 const std::string& directory) {
-    const study::StudySpec& study = input.reading.study;
-    std::printf("Study %s is ready to run.\n\nScene %s\n\nKeys that vary\n", study.file.c_str(), study.scene.c_str());
-    for (const study::Variation& one : study.vary) print_fact(one.key, one.distribution.text);
-    if (study.vary.empty())
-        for (const std::string& key : input.table.keys)
-            print_fact(key, study.per_polygon() ? "a polygon for each member" : "as in " + study.table);
-    for (const study::TableColumn& column : input.table.columns)
-        if (column.use != study::TableColumn::Use::key) print_fact(column.name, use_of(column.use));
+void print_correlations(const study::StudySpec& study) {
     for (const study::Correlation& one : study.correlate)
         print_fact(one.first, "rank correlation with " + one.second + " " + number_text(one.rho));
+}
+
+void print_members(const study::StudyInput& input) {
+    const study::StudySpec& study = input.reading.study;
+    std::printf("Keys that vary\n");
+    print_keys(study.vary);
+    if (study.vary.empty())
+        for (const std::string& key : input.table.keys) print_fact(key, "as in " + study.table);
+    for (const study::TableColumn& column : input.table.columns)
+        if (column.use != study::TableColumn::Use::key) print_fact(column.name, use_of(column.use));
+    print_correlations(study);
     std::printf("\nMembers\n");
-    const auto members = input.members();
-    print_fact("members", std::to_string(members) + (study.until ? " at most" : "") + ", sampling " +
-                              study::name_of(study.sampling) +
-                              (study.per_polygon() ? "" : ", seed " + std::to_string(study.seed)));
-    if (const auto& exposed = input.base.extra.exposure)
-        print_fact("exposed", grouped(static_cast<double>(exposed->features.size())) + " features");
-    print_scheme(input);
-    print_fact("estimated time", time_text(forecast, members, threads));
-    print_fact("memory", bytes_text(static_cast<double>(forecast.peak_bytes)) +
-                             ", of which each member that runs takes " +
-                             bytes_text(static_cast<double>(forecast.worker_bytes)));
-    print_fact("disk", disk_text(forecast));
-    const std::string target = result_path(directory);
-    print_fact("result",
-               target + (has_files(target) ? ", which contains a result already: --overwrite replaces it" : ""));
-    std::fflush(stdout);
+    print_fact("members", std::to_string(input.members()) + (study.until ? " at most" : "") + ", sampling " +
+                              study::name_of(study.sampling) + ", seed " + std::to_string(study.seed));
 }
 
 const std::string k_density = "material.density";
@@ -239,11 +222,6 @@ void print_defaults(const Prepared& prepared) {
 void add_defaults(const Prepared& prepared, Json& json) {
     if (model_reads(prepared.spec, k_density)) json["density_kg_m3"] = prepared.spec.material.density;
     json["left_at_default"] = left_at_default(prepared);
-}
-
-std::string disk_text(const StudyForecast& forecast) {
-    return "about " + bytes_text(forecast.writing.disk_bytes) + "; until it is complete " +
-           bytes_text(static_cast<double>(forecast.disk_bytes)) + " more for the members";
 }
 
 double StudyForecast::member_seconds() const noexcept {
@@ -267,12 +245,6 @@ StudyForecast forecast_study(const study::StudyInput& input, int threads, bool w
     const std::int64_t combining =
         k_window_bytes + forecast.member.stored_cells * k_rasters_at_once * static_cast<std::int64_t>(sizeof(double));
     forecast.peak_bytes = resident_memory() + std::max(threads * forecast.worker_bytes, combining);
-    const auto released = static_cast<std::int64_t>(base.release.area_m2 / base.scene.grid.cell_area());
-    const auto records = static_cast<std::int64_t>(input.members());
-    forecast.disk_bytes = records * (k_record_head_bytes + k_record_cell_bytes * k_spread * released);
-    forecast.writing = forecast_study_writing(input, forecast.member, forecast.trial, threads);
-    if (input.reading.study.is_extensible())  // k_joined_records
-        forecast.writing.disk_bytes += static_cast<double>(forecast.disk_bytes);
     return forecast;
 }
 
@@ -302,116 +274,70 @@ Json check_study(const std::string& path, const std::optional<std::string>& out,
     const StudyForecast forecast = forecast_study(input, threads, true);
     refuse_study_beyond_memory(input, forecast, threads);
     const study::StudySpec& study = input.reading.study;
-    const std::vector<SlopePlan> plans = study.region ? slope_plans(input) : std::vector<SlopePlan>{};
-    if (print && study.region)
-        print_region(input, plans, forecast, threads, result_path(directory));
-    else if (print)
-        print_study(input, forecast, threads, directory);
-    if (print && input.base.friction)
-        print_fact("friction",
-                   study::shown_friction(input).of + ": " + friction_text(input.base.friction->choice()).text());
-    if (print) print_defaults(input.base);
+    std::vector<SlopePlan> plans;
+    for (std::size_t i = 0; i < input.slopes.size(); ++i) plans.push_back(plan_of(input, i));
+    StudyCost cost;
+    cost.add(forecast, members_of(input, plans));
+    cost.may_end_early = study.until.has_value();
+    const auto& exposed = input.base.extra.exposure;
+    if (print) {
+        std::printf("%s %s is ready to run.\n\nScene %s\n\n", study.region ? "Region" : "Study", study.file.c_str(),
+                    study.scene.c_str());
+        study.region ? print_slopes(input, plans) : print_members(input);
+        if (exposed) print_fact("exposed", grouped(static_cast<double>(exposed->features.size())) + " features");
+        if (const auto scheme = study::common_scheme(input))
+            print_fact("scheme", word_of(*scheme, k_schemes) + "; two members again by the other one, as a check");
+        if (input.base.friction)
+            print_fact("friction",
+                       study::shown_friction(input).of + ": " + friction_text(input.base.friction->choice()).text());
+        print_defaults(input.base);
+        print_end(cost, threads, directory);
+    }
     warn_of_release(input.base.scene, log);
     study::warn_of_unknown_exposure(input, log);
-    const auto members = input.members();
     Json json = document_of("check");
     json["study"] = study.file;
     json["scene"] = study.scene;
-    json["members"] = members;
+    json["members"] = input.members();
     json["sampling"] = study::name_of(study.sampling);
     json["keys"] = input.table.keys;
     for (const study::TableColumn& column : input.table.columns)
         json["columns"].push_back({{"name", column.name}, {"use", use_of(column.use)}});
-    json["run"] = {{"threads", threads},
-                   {"estimated_seconds", study.region ? region_seconds(plans, forecast, threads)
-                                                      : study_seconds(forecast, members, threads)},
-                   {"estimate_is_lower_bound", !forecast.trial.has_value()},
-                   {"memory_bytes", forecast.peak_bytes},
-                   {"disk_bytes", forecast.writing.disk_bytes},
-                   {"members_disk_bytes", forecast.disk_bytes}};
     add_defaults(input.base, json);
     if (study.region) json["slopes"] = slopes_json(input, plans);
-    if (const auto& exposed = input.base.extra.exposure) json["exposed_features"] = exposed->features.size();
-    const std::string target = result_path(directory);
-    json["result"] = {{"folder", target}, {"exists", has_files(target)}};
+    if (exposed) json["exposed_features"] = exposed->features.size();
+    add_end(cost, threads, directory, json);
     return json;
 }
 
 namespace {
 
-/// Expected resources of all members.
-struct CalibrationForecast {
-    double seconds = 0;  ///< wall time of all members on one thread
-    std::int64_t peak_bytes = 0, disk_bytes = 0;
-    WritingForecast writing;
-    bool trial = true;  ///< for all events
-
-    void add(const StudyForecast& one, double members, double table_size) {
-        seconds += one.member_seconds() * members;
-        peak_bytes = std::max(peak_bytes, one.peak_bytes);
-        disk_bytes += static_cast<std::int64_t>(static_cast<double>(one.disk_bytes) * members / table_size);
-        trial = trial && one.trial.has_value();
-    }
-    void write(const WritingForecast& one) {
-        writing.seconds += one.seconds;
-        writing.disk_bytes += one.disk_bytes;
-    }
-};
-
-CalibrationForecast forecast(const study::CalibrationInput& input, int threads) {
-    CalibrationForecast all;
-    for (std::size_t e = 0; e < input.events(); ++e) {
-        const StudyForecast own = forecast_study(input.own[e], threads, true);
-        refuse_study_beyond_memory(input.own[e], own, threads);
-        all.add(own, static_cast<double>(input.spec().study.samples), static_cast<double>(input.design.size()));
-        all.write(forecast_event_writing(input.own[e].base, own.member));
-    }
-    return all;
-}
-
-void print_keys(const std::vector<study::Variation>& vary, const std::string& of) {
-    for (const study::Variation& one : vary) print_fact(one.key + of, one.distribution.text);
-}
-
 void print_event(const study::CalibrationInput& input, std::size_t e) {
     const study::EventSpec& event = input.spec().events[e];
     print_fact(event.name, event.members.study.scene);
-    std::string measures;
+    std::vector<std::string> measures;
     for (const study::Weight& one : input.spec().objective)
-        if (study::has_evidence(input.own[e].base, event, study::row_of(one.measure).needs))
-            measures += (measures.empty() ? "" : ", ") + std::string(study::row_of(one.measure).name) + " " +
-                        shortest_text(one.weight);
-    print_fact("", "compared by " + measures);
+        if (const study::MeasureRow& row = study::row_of(one.measure);
+            study::has_evidence(input.own[e].base, event, row.needs))
+            measures.push_back(std::string(row.name) + " " + shortest_text(one.weight));
+    print_fact("", "compared by " + joined(measures, ", "));
     print_fact("", "cells of " + shortest_text(input.own[e].base.scene.grid.cell_size) + " m");
 }
 
-void print_calibration(const study::CalibrationInput& input, const CalibrationForecast& expected, int threads,
-                       const std::string& directory) {
+void print_calibration(const study::CalibrationInput& input) {
     const study::CalibrationSpec& calibration = input.spec();
     std::printf("Calibration %s is ready to run.\n\nEvents\n", calibration.study.file.c_str());
     for (std::size_t e = 0; e < input.events(); ++e) print_event(input, e);
     std::printf("\nKeys that vary\n");
-    print_keys(calibration.study.vary, "");
+    print_keys(calibration.study.vary);
     for (const study::EventSpec& event : calibration.events) print_keys(event.vary, " of " + event.name);
-    for (const study::Correlation& one : calibration.study.correlate)
-        print_fact(one.first, "rank correlation with " + one.second + " " + number_text(one.rho));
+    print_correlations(calibration.study);
     std::printf("\nMembers\n");
     print_fact("members", std::to_string(input.design.size()) + " first, then until the intervals settle, at most " +
                               std::to_string(calibration.study.samples) + ", each for " +
                               std::to_string(input.events()) + (input.events() == 1 ? " event" : " events") +
                               "; sampling " + study::name_of(calibration.study.sampling) + ", seed " +
                               std::to_string(calibration.study.seed));
-    print_fact("estimated time", std::string(expected.trial ? "at most about " : "at least ") +
-                                     duration_text(expected.seconds / threads + expected.writing.seconds) + ", " +
-                                     std::to_string(threads) + " at a time, of which " +
-                                     duration_text(expected.writing.seconds) + " of writing and drawing");
-    print_fact("memory", bytes_text(static_cast<double>(expected.peak_bytes)));
-    print_fact("disk", "about " + bytes_text(expected.writing.disk_bytes) + "; until it is complete " +
-                           bytes_text(static_cast<double>(expected.disk_bytes)) + " more for the members");
-    const std::string target = result_path(directory);
-    print_fact("result",
-               target + (has_files(target) ? ", which contains a result already: --overwrite replaces it" : ""));
-    std::fflush(stdout);
 }
 
 }  // namespace
@@ -429,8 +355,17 @@ Json check_calibration(const std::string& path, const std::optional<std::string>
     const study::CalibrationInput input = study::prepare_calibration(std::move(texts), place, log);
     study::load_calibration_drawing(input, Loading::later);
     const study::CalibrationSpec& calibration = input.spec();
-    const CalibrationForecast expected = forecast(input, threads);
-    if (print) print_calibration(input, expected, threads, directory);
+    StudyCost cost;
+    cost.may_end_early = true;
+    for (const study::StudyInput& event : input.own) {
+        const StudyForecast forecast = forecast_study(event, threads, true);
+        refuse_study_beyond_memory(event, forecast, threads);
+        cost.add(forecast, static_cast<double>(calibration.study.samples));
+    }
+    if (print) {
+        print_calibration(input);
+        print_end(cost, threads, directory);
+    }
     for (const study::StudyInput& event : input.own) warn_of_release(event.base.scene, log);
     Json json = document_of("check");
     json["study"] = calibration.study.file;
@@ -439,14 +374,7 @@ Json check_calibration(const std::string& path, const std::optional<std::string>
         json["events"].push_back({{"name", event.name}, {"scene", event.members.study.scene}});
     json["members"] = calibration.study.samples;
     json["first_members"] = input.design.size();
-    json["run"] = {{"threads", threads},
-                   {"estimated_seconds", expected.seconds / threads + expected.writing.seconds},
-                   {"estimate_is_lower_bound", !expected.trial},
-                   {"memory_bytes", expected.peak_bytes},
-                   {"disk_bytes", expected.writing.disk_bytes},
-                   {"members_disk_bytes", expected.disk_bytes}};
-    const std::string target = result_path(directory);
-    json["result"] = {{"folder", target}, {"exists", has_files(target)}};
+    add_end(cost, threads, directory, json);
     return json;
 }
 

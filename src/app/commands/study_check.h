@@ -32,16 +32,10 @@ struct StudyForecast {
     std::optional<TimeEstimate> trial;  ///< of its time, on one thread
     std::int64_t worker_bytes = 0;      ///< memory of one member that runs
     std::int64_t peak_bytes = 0;        ///< memory of all together, and of combining them
-    std::int64_t disk_bytes = 0;        ///< of the records, until the result is complete
-
-    WritingForecast writing;  ///< what is left when the members have run
 
     /// Wall time of one member on one thread [s]; a lower bound without a trial.
     [[nodiscard]] double member_seconds() const noexcept;
 };
-
-/// The line about the disk, of a study and of a region.
-std::string disk_text(const StudyForecast& forecast);
 
 /// @param with_trial also makes a trial run, for time and memory
 StudyForecast forecast_study(const study::StudyInput& input, int threads, bool with_trial);

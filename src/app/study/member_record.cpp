@@ -74,21 +74,10 @@ void add_cells(const ReachedPlaces& reached, MemberRecord& record) {
 }  // namespace
 
 const std::vector<float>& MemberRecord::of(Quantity quantity) const noexcept {
-    switch (quantity) {
-        case Quantity::velocity:
-            return velocity;
-        case Quantity::arrival:
-            return arrival;
-        case Quantity::pressure:
-            return pressure;
-        case Quantity::intensity:
-            return intensity;
-        case Quantity::deposit:
-            return deposit;
-        case Quantity::depth:
-            break;
-    }
-    return depth;
+    constexpr std::vector<float> MemberRecord::*k_values[] = {&MemberRecord::depth,     &MemberRecord::velocity,
+                                                              &MemberRecord::arrival,   &MemberRecord::pressure,
+                                                              &MemberRecord::intensity, &MemberRecord::deposit};
+    return this->*k_values[static_cast<std::size_t>(quantity)];
 }
 
 CellWindow MemberRecord::place_in(const GridSpec& grid) const {

@@ -141,13 +141,8 @@ void join_records(const std::string& folder) {
     const std::string path = (fs::path(folder) / k_joined_records).string();
     const RecordFiles records(folder);
     std::ofstream file(path, std::ios::binary);
-    const auto add = [&](const std::string& bytes) {
-        const std::uint64_t size = bytes.size();
-        file.write(reinterpret_cast<const char*>(&size), sizeof size);
-        file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    };
-    add(read_text_file((fs::path(folder) / k_record_identity).string()));
-    for (std::size_t member = 0; member < records.count(); ++member) add(bytes_at(records.place(member)));
+    file << records.count() << '\n' << read_text_file((fs::path(folder) / k_record_identity).string());
+    for (std::size_t member = 0; member < records.count(); ++member) file << bytes_at(records.place(member));
     file.close();
     if (!file) fail("cannot be written", errno, path);
 }
@@ -155,30 +150,20 @@ void join_records(const std::string& folder) {
 JoinedRecords split_records(const std::string& result, RecordFiles* to) {
     const std::string path = (fs::path(result) / k_joined_records).string();
     JoinedRecords joined;
+    std::uint64_t first = 0;
+    for_each_record(path, [&](std::uint64_t member, const RecordPlace& place) {
+        if (joined.members++ == 0) first = place.at;
+        if (to != nullptr && to->place(member).file.empty()) to->append(member, bytes_at(place));
+    });
     std::ifstream file(path, std::ios::binary);
     if (!file) return joined;
-    std::error_code error;
-    const std::uint64_t most = fs::file_size(path, error);
-    for (bool is_identity = true; file.peek() != std::ifstream::traits_type::eof(); is_identity = false) {
-        std::uint64_t size = 0;
-        file.read(reinterpret_cast<char*>(&size), sizeof size);
-        if (!is_identity && to == nullptr) {
-            file.seekg(static_cast<std::streamoff>(size), std::ios::cur);
-            ++joined.members;
-            continue;
-        }
-        std::string bytes(file && size <= most ? size : 0, '\0');
-        file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        if (!file || bytes.size() != size)
-            throw Error(ErrorKind::environment,
-                        Problem{"is damaged", path, "", "", "Run the study anew with more samples and --overwrite"});
-        if (is_identity) {
-            joined.identity = std::move(bytes);
-            continue;
-        }
-        const std::size_t member = joined.members++;
-        if (to != nullptr && to->place(member).file.empty()) to->append(member, bytes);
-    }
+    std::size_t written = 0;
+    file >> written;
+    if (file.get() != '\n' || written == 0 || written != joined.members)
+        throw Error(ErrorKind::environment,
+                    Problem{"is damaged", path, "", "", "Run the study anew with more samples and --overwrite"});
+    joined.identity.resize(first - static_cast<std::uint64_t>(file.tellg()));
+    file.read(joined.identity.data(), static_cast<std::streamsize>(joined.identity.size()));
     return joined;
 }
 

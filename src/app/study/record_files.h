@@ -59,8 +59,8 @@ class RecordFiles {
 /// Returns the number of records in a folder in which a study, or a calibration by several events, is being built.
 std::size_t count_records(const std::string& folder);
 
-/// Joins the records of all members, and what they belong to, in a file of the result that is being built
-/// (k_joined_records): eight bytes with the size of each part, and the part. Throws Error(environment).
+/// Joins the records of all members in a file of the result that is being built (k_joined_records), after their number
+/// and what they belong to. Throws Error(environment).
 void join_records(const std::string& folder);
 /// What the joined records of a complete study belong to, and how many they are; 0: it has none.
 struct JoinedRecords {

@@ -51,32 +51,28 @@ enum class Sampling {
     sobol,
     random,
     importance,
-    morris,
     table,
-    polygons  ///< no sampling: each polygon of the release perimeter is a member of its own
+    polygons  ///< of a region: no sampling, each polygon of the release perimeter is a member
 };
 
 /// How the values of members are found. A method is a row of k_samplings; its points are drawn in openturns/module.cpp.
 struct SamplingMethod {
-    /// A sample: the first members are one too, so that it may stop early; keys may be correlated. A design: all its
-    /// members together, with independent keys. Given: nothing is drawn.
+    /// A sample: the first members are one too, so that it may stop early, and more may follow; keys may be correlated.
+    /// A design: all its members together, with independent keys. Given: nothing is drawn.
     enum class Kind { sample, design, given };
     Sampling sampling;
     const char* name;  ///< of samples and designs in study.sampling
     Kind kind;
-    bool goes_on = false;           ///< more members may follow the last one, as --extend needs
-    bool replicated = false;        ///< drawn in k_replicates parts that are randomised independently of each other
-    std::size_t more_in_group = 0;  ///< its members form groups of so many more than there are keys; 0: no groups
+    bool replicated = false;  ///< drawn in k_replicates parts that are randomised independently of each other
 };
 /// Members of an even design depend on each other, so that their number does not tell how sure their mean is. Parts of
 /// it that are randomised independently do: from the scatter of their means follows the standard error (Owen 1997,
 /// Annals of Statistics 25, 1541). Few parts are evener, many tell their scatter better: with 8 the interval is least.
 inline constexpr std::size_t k_replicates = 8;
 inline constexpr SamplingMethod k_samplings[] = {
-    {Sampling::sobol, "sobol", SamplingMethod::Kind::sample, true, true},
-    {Sampling::random, "random", SamplingMethod::Kind::sample, true},
-    {Sampling::importance, "importance", SamplingMethod::Kind::design, false, true},
-    {Sampling::morris, "morris", SamplingMethod::Kind::design, false, true, 1},
+    {Sampling::sobol, "sobol", SamplingMethod::Kind::sample, true},
+    {Sampling::random, "random", SamplingMethod::Kind::sample},
+    {Sampling::importance, "importance", SamplingMethod::Kind::design, true},
     {Sampling::table, "table", SamplingMethod::Kind::given},
     {Sampling::polygons, "per-polygon", SamplingMethod::Kind::given}};
 
@@ -136,16 +132,12 @@ struct StudySpec {
     std::vector<std::string> set;  ///< "key=value" for all members, as after `--set`; paths absolute
     std::vector<Variation> vary;   ///< in the order of the file
     std::vector<Correlation> correlate;
-    std::optional<RegionSpec> region;  ///< only with polygons
+    std::optional<RegionSpec> region;  ///< a polygon for each member
 
-    [[nodiscard]] bool per_polygon() const noexcept { return sampling == Sampling::polygons; }
-    /// Members of a group of its sampling; 0: no groups.
-    [[nodiscard]] std::size_t group_size() const noexcept {
-        const std::size_t more = method_of(sampling).more_in_group;
-        return more == 0 ? 0 : vary.size() + more;
-    }
     /// Whether more members may follow the last one, with the same ones before them.
-    [[nodiscard]] bool is_extensible() const noexcept { return method_of(sampling).goes_on; }
+    [[nodiscard]] bool is_extensible() const noexcept {
+        return method_of(sampling).kind == SamplingMethod::Kind::sample;
+    }
 };
 
 /// Returns the number of members that a study in rounds has after one of them.

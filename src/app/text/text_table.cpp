@@ -2,6 +2,7 @@
 #include "app/text/text_table.h"
 
 #include <algorithm>
+#include <charconv>
 #include <clocale>
 #include <cstdio>
 #include <cwchar>
@@ -20,6 +21,19 @@ std::string csv_cell(const std::string& text) {
     std::string out = "\"";
     for (const char c : cell) out += c == '"' ? "\"\"" : std::string(1, c);
     return out + "\"";
+}
+
+std::string csv_line(const std::vector<std::string>& texts) {
+    const auto is_number = [](const std::string& text) {
+        double value = 0;
+        const char* const end = text.data() + text.size();
+        const auto [last, error] = std::from_chars(text.data(), end, value);
+        return error == std::errc() && last == end;
+    };
+    std::string line;
+    for (const std::string& text : texts)
+        line += (&text == &texts.front() ? "" : ",") + (is_number(text) ? text : csv_cell(text));
+    return line + "\n";
 }
 
 std::string text_of_cell(const std::string& cell) {

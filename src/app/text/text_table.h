@@ -14,6 +14,9 @@ namespace frana::app {
 /// apostrophe before it, and one that begins with an apostrophe another.
 std::string csv_cell(const std::string& text);
 
+/// Returns a line of the file: such cells, and numbers as they are.
+std::string csv_line(const std::vector<std::string>& texts);
+
 /// Returns the text from which csv_cell wrote a cell, without its quotes.
 std::string text_of_cell(const std::string& cell);
 

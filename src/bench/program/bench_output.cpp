@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "app/commands/command_line.h"
 #include "app/process/terminal.h"
@@ -131,20 +130,9 @@ std::optional<BenchOutput> bench_output(const boost::program_options::variables_
     return output;
 }
 
-int print_bench(const boost::program_options::variables_map& values, const std::string& bench, const std::string& text,
-                const std::vector<BenchTable>& tables, bool good) {
-    const auto code = static_cast<int>(good ? ExitCode::done : ExitCode::numerical);
-    if (values.count("json") == 0) {
-        std::cout << folded(text, output_width());
-        return code;
-    }
-    Json document = document_of("bench");
-    document["exit_code"] = code;
-    document["bench"] = bench;
-    document["passed"] = good;
-    for (const BenchTable& table : tables) document[table.name] = rows_of(table.csv);
-    print_document(document);
-    return code;
+int print_bench(const std::string& text, bool good) {
+    std::cout << folded(text, output_width());
+    return static_cast<int>(good ? ExitCode::done : ExitCode::numerical);
 }
 
 }  // namespace frana::app

@@ -49,13 +49,7 @@ class BenchOutput {
 std::optional<BenchOutput> bench_output(const boost::program_options::variables_map& values,
                                         const std::vector<const char*>& names);
 
-/// A table of a bench: its member in the document of --json, and its CSV.
-struct BenchTable {
-    std::string name, csv;
-};
-
-/// Prints the text of a bench, or with --json its tables as one document; returns the exit code.
-int print_bench(const boost::program_options::variables_map& values, const std::string& bench, const std::string& text,
-                const std::vector<BenchTable>& tables, bool good = true);
+/// Prints the text of a bench; returns the exit code.
+int print_bench(const std::string& text, bool good = true);
 
 }  // namespace frana::app

@@ -48,16 +48,13 @@ int bench_accuracy(const boost::program_options::variables_map& values) {
             "lake-dtm is left out: the sample's terrain (sample_data/bindo/dtm.tif) is not in the "
             "share folder");
     const auto rows = bench::run_accuracy(options);
-    const std::string csv = bench::accuracy_csv(rows);
     if (out) {
         out->begin();
-        write_text_file(out->path("accuracy.csv"), csv);
+        write_text_file(out->path("accuracy.csv"), bench::accuracy_csv(rows));
         render::write_png(out->path("accuracy.png"), accuracy_chart(rows));
         out->list();
     }
-    return print_bench(values, "accuracy",
-                       bench::accuracy_table(rows) + bench::accuracy_verdict(rows) + bench::time_to_error_table(rows),
-                       {{"cases", csv}});
+    return print_bench(bench::accuracy_table(rows) + bench::accuracy_verdict(rows) + bench::time_to_error_table(rows));
 }
 
 int bench_stability(const boost::program_options::variables_map& values) {
@@ -67,15 +64,14 @@ int bench_stability(const boost::program_options::variables_map& values) {
     options.threads = thread_count(values);
     options.report = report_line;
     const auto rows = bench::run_stability(options);
-    const std::string csv = bench::stability_csv(rows);
     if (out) {
         out->begin();
-        write_text_file(out->path("stability.csv"), csv);
+        write_text_file(out->path("stability.csv"), bench::stability_csv(rows));
         out->list();
     }
     const bool passed =
         std::all_of(rows.begin(), rows.end(), [](const bench::StabilityRow& row) { return row.passed; });
-    return print_bench(values, "stability", bench::stability_table(rows), {{"cases", csv}}, passed);
+    return print_bench(bench::stability_table(rows), passed);
 }
 
 int bench_speed(const boost::program_options::variables_map& values) {
@@ -85,14 +81,13 @@ int bench_speed(const boost::program_options::variables_map& values) {
     options.threads = thread_count(values);
     options.report = report_line;
     const auto result = bench::run_speed(options);
-    const std::string csv = bench::speed_csv(result);
     if (out) {
         out->begin();
-        write_text_file(out->path("speed.csv"), csv);
+        write_text_file(out->path("speed.csv"), bench::speed_csv(result));
         render::write_png(out->path("speed.png"), speed_chart(result));
         out->list();
     }
-    return print_bench(values, "speed", bench::speed_table(result), {{"speed", csv}}, result.right());
+    return print_bench(bench::speed_table(result), result.right());
 }
 
 int run_bench(Arguments words) {

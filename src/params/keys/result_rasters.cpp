@@ -81,7 +81,7 @@ void add_study(Table& table) {
     };
     const auto probability = [&](const char* name, const char* title, const char* description) {
         ResultRaster& row = for_values(name, title, description, "-", "depth", k_even);
-        row.zero_is_blank = true;
+        row.zero_is_blank = row.with_study = true;
         row.bounds = {0, 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 1};
     };
     table.by("calibrate", "by `frana calibrate`, for each event");
@@ -97,41 +97,37 @@ void add_study(Table& table) {
                 "Probability that the maximum dynamic pressure exceeds {} kPa");
     probability("probability_intensity", "Probability of intensity class {} or higher",
                 "Probability that the class of `hazard.scheme` is {} or higher");
-    for_values("quantile_max_depth", "Maximum depth, {} % quantile", "Quantile {} % of the maximum depth, vertical",
-               "m", "depth", k_progressive)
-        .zero_is_blank = true;
+    ResultRaster& depth = for_values("quantile_max_depth", "Maximum depth, {} % quantile",
+                                     "Quantile {} % of the maximum depth, vertical", "m", "depth", k_progressive);
+    depth.zero_is_blank = depth.with_study = true;
     for_values("quantile_max_velocity", "Maximum velocity, {} % quantile", "Quantile {} % of the maximum speed", "m/s",
                "velocity", k_even)
         .zero_is_blank = true;
     for_values("quantile_arrival_time", "Arrival time, {} % quantile",
                "Quantile {} % of the arrival time among the runs that arrived", "s", "time", k_even);
     const auto of_all = [&](const char* name, const char* title, const char* description, const char* unit,
-                            const char* palette, bool progressive) {
-        table.flow(name, title, description, unit, palette, progressive).zero_is_blank = true;
+                            const char* palette, bool progressive, bool with_study = false) {
+        ResultRaster& row = table.flow(name, title, description, unit, palette, progressive);
+        row.zero_is_blank = true;
+        row.with_study = with_study;
     };
-    of_all("mean_max_depth", "Mean maximum depth", "Mean of the maximum depth, vertical, 0 where a run did not arrive",
-           "m", "depth", k_progressive);
-    of_all("deviation_max_depth", "Deviation of the maximum depth", "Standard deviation of the maximum depth, vertical",
-           "m", "depth", k_progressive);
-    of_all("mean_max_velocity", "Mean maximum velocity", "Mean of the maximum speed, 0 where a run did not arrive",
-           "m/s", "velocity", k_even);
-    of_all("deviation_max_velocity", "Deviation of the maximum velocity", "Standard deviation of the maximum speed",
-           "m/s", "velocity", k_even);
-    of_all("hit_count", "Runs that arrived", "Number of runs that reached the cell", "-", "depth", k_even);
+    of_all("hit_count", "Runs that arrived", "Number of runs that reached the cell", "-", "depth", k_even, true);
+    ResultRaster& sensitivity = for_values("sensitivity", "Sensitivity to {}",
+                                           "Fraction of the variance of the distance from the outline that {} explains",
+                                           "-", "velocity", k_even);
+    sensitivity.with_study = true;
+    sensitivity.bounds = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1};
+    table.by("batch", "by `frana batch`");
     of_all("union_max_depth", "Maximum depth of all sources", "Greatest depth that any source causes, vertical", "m",
-           "depth", k_progressive);
+           "depth", k_progressive, true);
     of_all("union_max_velocity", "Maximum velocity of all sources", "Greatest speed that any source causes", "m/s",
-           "velocity", k_even);
+           "velocity", k_even, true);
     of_all("union_max_pressure", "Maximum dynamic pressure of all sources",
-           "Greatest dynamic pressure that any source causes", "kPa", "velocity", k_progressive);
+           "Greatest dynamic pressure that any source causes", "kPa", "velocity", k_progressive, true);
     of_all("union_arrival_time", "Arrival time of the first source", "Earliest arrival from any source", "s", "time",
            k_even);
     of_all("worst_source", "Number of the worst source", "Number of the source that causes the greatest depth", "-", "",
            k_even);
-    ResultRaster& sensitivity = for_values("sensitivity", "Sensitivity to {}",
-                                           "Fraction of the variance of the distance from the outline that {} explains",
-                                           "-", "velocity", k_even);
-    sensitivity.bounds = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1};
 }
 
 /// What a region of many slopes writes besides.
@@ -144,7 +140,8 @@ void add_region(Table& table) {
         return row;
     };
     of_scenario("scenario_max_depth", "Maximum depth, scenario {}",
-                "Greatest depth that any source of scenario {} causes, vertical", "m", "depth", k_progressive);
+                "Greatest depth that any source of scenario {} causes, vertical", "m", "depth", k_progressive)
+        .with_study = true;
     of_scenario("scenario_max_velocity", "Maximum velocity, scenario {}",
                 "Greatest speed that any source of scenario {} causes", "m/s", "velocity", k_even);
     of_scenario("scenario_max_pressure", "Maximum dynamic pressure, scenario {}",
@@ -155,12 +152,15 @@ void add_region(Table& table) {
                 "Number of sources of scenario {} that reach the cell", "-", "depth", k_even);
     of_scenario("scenario_worst_source", "Number of the worst source, scenario {}",
                 "Number of the source of scenario {} that causes the greatest depth", "-", "", k_even);
-    of_scenario("scenario_intensity", "Intensity, scenario {}", "Greatest class of intensity in scenario {}", "",
-                "depth", k_even)
-        .kind = RasterKind::classes;
+    ResultRaster& intensity = of_scenario("scenario_intensity", "Intensity, scenario {}",
+                                          "Greatest class of intensity in scenario {}", "", "depth", k_even);
+    intensity.kind = RasterKind::classes;
+    intensity.with_study = true;
     table.by("batch", "by `frana batch` with `region.return-period`");
-    table.add("hazard_degree", RasterKind::classes, "Degree of hazard",
-              "Degree of hazard from intensity and return period", "", "depth", k_even);
+    table
+        .add("hazard_degree", RasterKind::classes, "Degree of hazard",
+             "Degree of hazard from intensity and return period", "", "depth", k_even)
+        .with_study = true;
 }
 
 /// Rasters without classes of their own have those of the first quantity with their unit.

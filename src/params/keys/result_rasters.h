@@ -74,6 +74,7 @@ struct ResultRaster {
     bool is_surface = false;       ///< thickness: a view shows the surface of the flow
     bool has_view = false;         ///< output.maps = on draws a view as well as a map
     bool by_value = false;         ///< one for each value (a threshold, a key), which takes the place of {} in texts
+    bool with_study = false;       ///< of many runs: a map of it is drawn at once; `frana render` draws the others
     bool zero_is_blank = false;    ///< 0 is a value, and nothing is drawn there
     bool is_flow_depth = false;    ///< measured as output.depth says; its description has k_vertical
     std::vector<double> bounds{};  ///< of its classes, whatever the scene; empty: those of `classes`

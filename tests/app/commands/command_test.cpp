@@ -116,11 +116,7 @@ TEST_F(Command, ParamsAndMaterials) {
          {"\nswiss-flood\n  Switzerland, floods; intensities of scenarios of 30, 100, 300 years",
           "\n  Customary limits, source not read\n", "\n  2  Red zone: pressure > 10 kPa\n"})
         EXPECT_NE(schemes.out.find(line), std::string::npos) << line << " in\n" << schemes.out;
-    const Json document = parse_json(frana({"schemes", "--json"}).out);
-    EXPECT_EQ(document["command"], "schemes");
-    ASSERT_EQ(document["schemes"].size(), 7U);
-    EXPECT_EQ(document["schemes"][0]["name"], "austrian-avalanche");
-    EXPECT_EQ(document["schemes"][0]["source_read"], false);
+    EXPECT_NE(schemes.out.find("\n  Degree of hazard: all, channel-debris-flow\n"), std::string::npos) << schemes.out;
 }
 
 TEST_F(Command, SchemesListsFrictionTablesAndChecksAFileOfOnesOwn) {
@@ -130,11 +126,9 @@ TEST_F(Command, SchemesListsFrictionTablesAndChecksAFileOfOnesOwn) {
                                    "\n  Limits of altitude: 1 000, 1 500 m\n", "\n  4  Gully: curvature 0.05 1/m\n"})
         EXPECT_NE(listed.out.find(line), std::string::npos) << line << " in\n" << listed.out;
     write("own.ini", own_friction_table(0.2));
-    const Json own = parse_json(frana({"schemes", "own.ini", "--friction", "--json"}).out)["friction_tables"];
-    ASSERT_EQ(own.size(), 1U);
-    EXPECT_EQ(own[0]["name"], "own");
-    EXPECT_EQ(own[0]["source_read"], false);
-    EXPECT_EQ(own[0]["forest"], true);
+    const std::string own = frana({"schemes", "own.ini", "--friction"}).out;
+    for (const std::string line : {"own\n  ", "\n  Source not read\n", "\n  Has values for forest\n"})
+        EXPECT_NE(own.find(line), std::string::npos) << own;
     write("bad.ini", own_friction_table(7));
     const Outcome refused = frana({"schemes", "bad.ini", "--friction"});
     EXPECT_EQ(refused.exit_code, 2);
@@ -169,29 +163,6 @@ TEST_F(Command, CheckForeseesTheTimeOfEachScheme) {
     const Json refused = schemes({"--set", "numerics.flight=on"})[1];
     EXPECT_NE(refused["refused"].get<std::string>().find("numerics.flight"), std::string::npos) << refused;
     EXPECT_TRUE(refused["engine_seconds"].is_null());
-}
-
-// Of a sample's finished result, within a factor of two; of the time only that it has all its parts.
-TEST_F(Command, CheckForeseesTheDiskAndTheWholeCommand) {
-    const std::string sample = std::string(FRANA_SOURCE_DIR) + "/sample_data/bindo/coulomb.ini";
-    for (const std::vector<std::string>& more :
-         {std::vector<std::string>{},
-          {"--set", "output.maps=off", "--set", "output.animation=off", "--set", "output.report=off"}}) {
-        std::vector<std::string> check{"check", sample, "--json"},
-            run{"run", sample, "--out", "result", "--overwrite", "--quiet"};
-        check.insert(check.end(), more.begin(), more.end());
-        run.insert(run.end(), more.begin(), more.end());
-        const Outcome foreseen = frana(check);
-        ASSERT_EQ(foreseen.exit_code, 0) << foreseen.err;
-        ASSERT_EQ(frana(run).exit_code, 0);
-        double bytes = 0;
-        for (const auto& entry : std::filesystem::recursive_directory_iterator(path("result")))
-            if (entry.is_regular_file()) bytes += static_cast<double>(entry.file_size());
-        EXPECT_GT(json_number(foreseen.out, "disk_bytes"), bytes / 2) << more.size();
-        EXPECT_LT(json_number(foreseen.out, "disk_bytes"), bytes * 2) << more.size();
-        EXPECT_GT(json_number(foreseen.out, "engine_seconds"), 0);
-        EXPECT_GT(json_number(foreseen.out, "estimated_seconds"), json_number(foreseen.out, "engine_seconds"));
-    }
 }
 
 TEST_F(Command, FullDeviceForStandardOutputIsAnError) {

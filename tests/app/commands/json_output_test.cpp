@@ -92,7 +92,7 @@ TEST_F(Document, ErrorsAreInPartsAndStayOnStderr) {
     EXPECT_EQ(frana({"check", "scene.ini"}).out, "");  // only where it was asked for
 }
 
-TEST_F(Document, OfCompareAndOfARanking) {
+TEST_F(Document, OfCompare) {
     write_scene(k_numbers_only);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "a", "--quiet"}).exit_code, 0);
     const std::string trace = "a/extent.gpkg|layer=trace";
@@ -110,20 +110,12 @@ TEST_F(Document, OfCompareAndOfARanking) {
     EXPECT_EQ(table.out.find('{'), std::string::npos);
 }
 
-TEST_F(Document, OfConvergeAndBench) {
+TEST_F(Document, OfConverge) {
     write_scene(k_numbers_only);
     const Json study = parse_json(frana({"converge", "scene.ini", "--out", "levels", "--quiet", "--json"}).out);
     EXPECT_EQ(study.at("levels").size(), 3U);
     EXPECT_EQ(study.at("levels").at(2).at("cell_size_m"), k_cell);
     EXPECT_TRUE(study.at("convergence").at("statistics").is_object());
-    const Outcome bench = frana({"bench", "stability", "--case", "lake-sloshing", "--json"});
-    const Outcome known = frana({"bench", "accuracy", "--quick", "--case", "lake-z1", "--json"});
-    ASSERT_EQ(known.exit_code, 0) << known.err;
-    const Json cases = parse_json(known.out).at("cases");
-    ASSERT_FALSE(cases.empty());
-    EXPECT_EQ(cases.at(0).at("case"), "lake-z1");
-    EXPECT_TRUE(cases.at(0).at("cell_size").is_number());
-    EXPECT_TRUE(parse_json(bench.out).contains(bench.exit_code == 2 ? "errors" : "cases"));
 }
 
 }  // namespace

@@ -168,25 +168,44 @@ TEST_F(CompareSquare, AnOpenLineThatCrossesTheEdgeIsHalfReached) {
     EXPECT_NEAR(json_number(outcome.out, "mean_m"), 10, 1e-9);
 }
 
-TEST_F(CompareSquare, SeveralResultsAndScarsAreRanked) {
-    write_dtm([](int row, int column) { return row >= 10 && row < 20 && column >= 9 && column < 19 ? 1.0 : -9999.0; },
-              true, "better.asc");
-    write_polygon("scar", {{45, 50}, {95, 50}, {95, 100}, {45, 100}});   // better.asc itself
-    write_polygon("other", {{20, 50}, {70, 50}, {70, 100}, {20, 100}});  // depth.asc itself
-    const Outcome outcome = frana({"compare", "--json", "depth.asc", "better.asc", "--scar", "scar.geojson", "--out",
-                                   "rank", "--size", "640x480"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    const std::string csv = read_text(path("rank/ranking.csv"));
-    const std::size_t first = csv.find("\n1,better_scar,better.asc,scar.geojson,1,1,0,"),
-                      second = csv.find("\n2,depth_scar,depth.asc,scar.geojson,0.3333333333333333,0.5,0,");
-    EXPECT_NE(first, std::string::npos) << csv;
-    EXPECT_NE(second, std::string::npos) << csv;
-    EXPECT_TRUE(std::filesystem::exists(path("rank/better_scar/comparison.json")));
-    EXPECT_TRUE(std::filesystem::exists(path("rank/depth_scar/comparison.png")));
-    const Outcome both = frana({"compare", "--json", "depth.asc", "--scar", "scar.geojson", "--scar", "other.geojson",
-                                "--out", "rank", "--size", "640x480"});
-    ASSERT_EQ(both.exit_code, 0) << both.err;
-    EXPECT_NE(read_text(path("rank/ranking.csv")).find("\n1,depth_other,"), std::string::npos);
+TEST_F(CompareSquare, OneResultIsComparedWithOneSurvey) {
+    for (const std::vector<std::string>& more : {std::vector<std::string>{"depth.asc", "--scar", "scar.geojson"},
+                                                 {"--scar", "scar.geojson", "--observed", "other.geojson"}}) {
+        std::vector<std::string> words{"compare", "depth.asc"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome outcome = frana(words);
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_NE(outcome.err.find("`frana calibrate` finds"), std::string::npos) << outcome.err;
+    }
+}
+
+TEST_F(Compare, AnotherSurveyReplacesNoComparisonUnasked) {
+    write_polygon("first", {{20, 40}, {90, 40}, {90, 110}, {20, 110}});
+    write_polygon("second", {{20, 40}, {60, 40}, {60, 110}, {20, 110}});
+    write_scene(k_numbers_only + "[observed]\nperimeter = first.geojson\n");
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "a", "--quiet"}).exit_code, 0);
+    const std::string before = read_text(path("a/comparison.json"));
+    std::vector<std::string> words{"compare", "a", "--observed", "second.geojson", "--size", "640x480"};
+    const Outcome refused = frana(words);
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.err.find("contains the comparison with another survey"), std::string::npos) << refused.err;
+    EXPECT_EQ(read_text(path("a/comparison.json")), before);
+    EXPECT_EQ(frana({"compare", "a", "--observed", "first.geojson", "--size", "640x480"}).exit_code, 0);
+    words.insert(words.end(), {"--out", "b"});
+    EXPECT_EQ(frana(words).exit_code, 0);
+    EXPECT_EQ(read_text(path("a/comparison.json")).find("second"), std::string::npos);
+    words.resize(words.size() - 2);
+    words.emplace_back("--overwrite");
+    const Outcome replaced = frana(words);
+    EXPECT_EQ(replaced.exit_code, 0) << replaced.err;
+    EXPECT_NE(read_text(path("a/comparison.json")).find("second"), std::string::npos);
+    // Both areas are known: the difference has their sign.
+    const Json scores = parse_json(read_text(path("a/comparison.json")));
+    const bool larger = scores.at("simulated_area_m2") > scores.at("observed_area_m2");
+    const std::size_t size = replaced.out.find(" % in size");
+    ASSERT_NE(size, std::string::npos) << replaced.out;
+    const std::string number = replaced.out.substr(replaced.out.rfind(' ', size - 1) + 1, 1);
+    EXPECT_EQ(number, larger ? "+" : "-") << replaced.out;
 }
 
 TEST_F(Compare, ADepositAgainstAnElevationDifference) {

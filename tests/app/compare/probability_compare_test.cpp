@@ -81,12 +81,8 @@ TEST_F(ProbabilityCompare, OfAStudyTakesTheMapOfAThreshold) {
     EXPECT_EQ(parse_json(read_text(path("out/comparison.json"))), parse_json(other.out).at("comparison"));
 }
 
-TEST_F(ProbabilityCompare, IsInNoRankingAndTakesNoDeposit) {
+TEST_F(ProbabilityCompare, TakesNoDeposit) {
     write_polygon("scar", {{20, 40}, {180, 40}, {180, 110}, {20, 110}});
-    const Outcome ranked =
-        frana({"compare", "--json", "out", "out/mean_max_depth.tif", "--scar", "scar.geojson", "--out", "ranking"});
-    EXPECT_EQ(ranked.exit_code, 2);
-    EXPECT_NE(ranked.err.find("cannot be ranked"), std::string::npos) << ranked.err;
     const Outcome deposit =
         frana({"compare", "--json", "out", "--scar", "scar.geojson", "--deposit", "scar.geojson", "--out", "ranking"});
     EXPECT_EQ(deposit.exit_code, 2);

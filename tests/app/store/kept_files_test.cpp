@@ -200,7 +200,6 @@ TEST_F(AnotherResult, IsNotComparedInto) {
     expect_both_named({"compare", "result", "--scar", "scar.geojson", "--out", "other/new/folder"}, "result");
     expect_both_named({"compare", "result/max_depth.tif", "--scar", "scar.geojson", "--out", "other"},
                       "result/max_depth.tif");
-    expect_both_named({"compare", "result", "dtm.asc", "--scar", "scar.geojson", "--out", "other"}, "result");
     for (const std::string own : {"result", "result/more"})
         EXPECT_EQ(frana({"compare", "result", "--scar", "scar.geojson", "--out", own, "--size", "640x480"}).exit_code,
                   0);

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 class Overwrite : public ResultScenes {
   protected:
     /// Makes results of commands that run many scenes: "range", "region", "fitted"; with `all` also a comparison of the
-    /// first, "union", "fitted_to_two".
+    /// first, "fitted_to_two".
     void make_studies(bool all) const;
     /// Expects that --overwrite is refused with these words, and changes nothing.
     void expect_refused(const std::string& words, const std::string& result = "old") const {
@@ -75,7 +75,6 @@ void Overwrite::make_studies(bool all) const {
                 "pressure-thresholds = 5\n[hazard]\nscheme = swiss-debris-flow\nprocess = all\n[material]\n"
                 "density = 2000\n");
     write("study.ini", "[study]\nscene = scene.ini\nsamples = 8\nsampling = random\nkeep = all\n" + two_keys);
-    write("union.ini", "[study]\nscene = scene.ini\nper-polygon = on\n");
     write("region.ini",
           "[region]\nscene = scene.ini\nscenario = depth\nreturn-period = depth\nwindow = 120\n[set]\n"
           "output.exposure = perimeter.geojson\n");
@@ -91,7 +90,6 @@ void Overwrite::make_studies(bool all) const {
     if (all)
         commands.insert(commands.end(), {{"compare", "range", "--scar", "scar.geojson", "--size", "640x480"},
                                          {"compare", "old", "--scar", "scar.geojson", "--size", "640x480"},
-                                         {"ensemble", "union.ini", "--out", "union", "--quiet"},
                                          {"calibrate", "fitted_to_two.ini", "--out", "fitted_to_two", "--quiet"}});
     for (const std::vector<std::string>& command : commands) {
         const Outcome outcome = frana(command);
@@ -107,7 +105,7 @@ TEST_F(Overwrite, EveryFileOfAResultIsInItsManifestAndInTheTable) {
     run("[material]\nfriction-table = ramms-avalanche\nreturn-period = 100\n" + k_every_output, "table");
     make_studies(true);
     std::map<std::string, int> rows;
-    for (const std::string result : {"old", "other", "table", "range", "union", "region", "fitted", "fitted_to_two"}) {
+    for (const std::string result : {"old", "other", "table", "range", "region", "fitted", "fitted_to_two"}) {
         const auto manifest = app::read_manifest(path(result));
         ASSERT_TRUE(manifest);
         for (const std::string& name : files_below(path(result))) {

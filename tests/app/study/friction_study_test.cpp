@@ -56,8 +56,8 @@ TEST_F(Ensemble, SaysWhoseFrictionAfterATableItShows) {
     EXPECT_EQ(refused.exit_code, 2);
     EXPECT_NE(refused.err.find("material.table-friction-factor"), std::string::npos) << refused.err;
     // Each source has a volume of its own.
-    write("union.ini", "[study]\nscene = scene.ini\nper-polygon = on\n");
-    ASSERT_EQ(frana({"ensemble", "union.ini", "--out", "union", "--quiet"}).exit_code, 0);
+    write("union.ini", "[region]\nscene = scene.ini\n");
+    ASSERT_EQ(frana({"batch", "union.ini", "--out", "union", "--quiet"}).exit_code, 0);
     EXPECT_EQ(metadata_of(path("union/mu.tif")).at("FRICTION_OF"), "largest source");
     EXPECT_NE(read_text(path("union/report.html")).find("Friction of the source with the largest area"),
               std::string::npos);

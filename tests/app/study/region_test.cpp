@@ -294,7 +294,7 @@ TEST_F(Region, SlopesThatWereCutAreTold) {
     const std::string report = read_text(path("out/report.html"));
     EXPECT_LT(report.find("3 of 3 runs were cut"), report.find("id=\"answer\""));
     EXPECT_NE(report.find("it still moved at the end", report.find("<h2 id=\"slopes\"")), std::string::npos);
-    EXPECT_NE(report.find("The farthest run-out is at least"), std::string::npos);
+    EXPECT_NE(report.find("Farthest run-out [m]"), std::string::npos);
     const GDALDatasetUniquePtr file(GDALDataset::Open(path("out/members.gpkg").c_str(), GDAL_OF_VECTOR));
     OGRLayer* const slopes = file->GetLayerByName("slopes");
     ASSERT_NE(slopes, nullptr);

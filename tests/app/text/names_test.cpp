@@ -56,6 +56,7 @@ TEST(Names, NoCellOfATableIsAFormula) {
     for (const std::string name : {"flow path", "l'Aquila", "a=b", "", "1-2"}) EXPECT_EQ(csv_cell(name), name);
     EXPECT_EQ(csv_cell("a,b"), "\"a,b\"");
     EXPECT_EQ(csv_cell("caf\xE9"), "caf\\xe9");
+    EXPECT_EQ(csv_line({"-0.5", "=1", "a,b", "", "1e-300"}), "-0.5,'=1,\"a,b\",,1e-300\n");
 }
 
 TEST(Names, FilesOfDifferentNamesDiffer) {

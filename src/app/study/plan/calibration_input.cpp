@@ -26,21 +26,17 @@ namespace {
 /// Technometrics 51, 366) advise 10 a key where no others follow; here they do.
 constexpr std::int64_t k_least_design = 8, k_design_per_key = 5;
 
-struct GaugeEvidence {
-    Evidence evidence;
-    std::vector<GaugeValue> EventSpec::*values;
-};
-constexpr GaugeEvidence k_at_gauges[] = {{Evidence::arrival, &EventSpec::arrival},
-                                         {Evidence::speed, &EventSpec::speed},
-                                         {Evidence::depth, &EventSpec::depth}};
 constexpr Evidence k_single_values[] = {Evidence::runout, Evidence::arrival, Evidence::speed, Evidence::depth};
+
+const GaugeKind& kind_of(Evidence evidence) {
+    return *std::find_if(std::begin(k_gauge_kinds), std::end(k_gauge_kinds),
+                         [&](const GaugeKind& one) { return one.evidence == evidence; });
+}
 
 /// The single values that were observed; of the run-out only one that the study gives.
 std::vector<GaugeValue> observed_at(const EventSpec& event, Evidence evidence) {
     if (evidence == Evidence::runout) return event.runout ? std::vector{*event.runout} : std::vector<GaugeValue>{};
-    const auto kind = std::find_if(std::begin(k_at_gauges), std::end(k_at_gauges),
-                                   [&](const GaugeEvidence& one) { return one.evidence == evidence; });
-    return event.*(kind->values);
+    return event.*(kind_of(evidence).values);
 }
 
 /// The cells of a grid that contain a window and a box.
@@ -85,16 +81,17 @@ double runout_of(const MultiPolygon& scar, const Scene& scene) {
     return runouts(flows, release.bed, released, observed).front().horizontal_m;
 }
 
+/// r(a, b) = |a - b| / max(a, b), from 0 to 1; 0 if both are 0.
+double relative_difference(double a, double b) {
+    const double greater = std::max(a, b);
+    return greater > 0 ? std::abs(a - b) / greater : 0;
+}
+
 }  // namespace
 
 const MeasureRow& row_of(Measure measure) {
     return *std::find_if(std::begin(k_measures), std::end(k_measures),
                          [&](const MeasureRow& row) { return row.measure == measure; });
-}
-
-double relative_difference(double a, double b) {
-    const double greater = std::max(a, b);
-    return greater > 0 ? std::abs(a - b) / greater : 0;
 }
 
 bool has_evidence(const Prepared& base, const EventSpec& event, Evidence evidence) {
@@ -120,15 +117,6 @@ bool has_evidence(const Prepared& base, const EventSpec& event, Evidence evidenc
 bool has_stated_error(const EventSpec& event, Evidence evidence) {
     const std::vector<GaugeValue> observed = observed_at(event, evidence);
     return std::any_of(observed.begin(), observed.end(), [](const GaugeValue& one) { return one.error > 0; });
-}
-
-void check_gauges(const Prepared& base, const EventSpec& event, const std::string& where, Problems& problems) {
-    const std::vector<Gauge>& gauges = base.scene.recording.gauges;
-    for (const GaugeEvidence& kind : k_at_gauges)
-        for (const GaugeValue& one : event.*(kind.values))
-            if (std::none_of(gauges.begin(), gauges.end(), [&](const Gauge& gauge) { return gauge.name == one.gauge; }))
-                problems.add({"the scene has no gauge of this name", where, one.gauge, "",
-                              "Name a point of the scene's output.gauges"});
 }
 
 EventSurvey::EventSurvey(const Prepared& base, const EventSpec& event, const std::vector<Weight>& objective,
@@ -158,13 +146,13 @@ EventSurvey::EventSurvey(const Prepared& base, const EventSpec& event, const std
         deposit_ = gis::coverage(survey.deposit, grid_);
     }
     const ObservedSpec& stated = base.spec.observed;
-    error_length_ = stated.error_length.value_or(10 * stated.perimeter_error.value_or(grid_.cell_size));
+    const double error_length = stated.error_length.value_or(10 * stated.perimeter_error.value_or(grid_.cell_size));
     if (stated.perimeter_error && measures_by(Evidence::scar)) {
-        outline_pieces_ = std::max(1.0, outline_->length() / error_length_);
+        outline_pieces_ = std::max(1.0, outline_->length() / error_length);
         outline_variance_ = std::pow(*stated.perimeter_error, 2) + std::pow(grid_.cell_size, 2) / 12;
     }
     if (stated.deposit_error && measures_by(Evidence::elevation_change)) {
-        deposit_pieces_ = std::max(1.0, masked_area(deposit_) / std::pow(error_length_, 2));
+        deposit_pieces_ = std::max(1.0, masked_area(deposit_) / std::pow(error_length, 2));
         deposit_variance_ = std::pow(*stated.deposit_error, 2);
     }
     for (const Weight& one : measures_) {
@@ -208,9 +196,8 @@ std::vector<double> EventSurvey::values_of(Evidence evidence, const MemberRecord
     const Raster arrival =
         evidence == Evidence::arrival ? record.raster(Quantity::arrival, grid_) : Raster(GridSpec{}, k_no_data);
     for (const GaugeValue& one : observed_at(event_, evidence)) {
-        if (evidence != Evidence::arrival) {
-            values.push_back(
-                figure("gauge " + one.gauge + (evidence == Evidence::speed ? ": max_speed_ms" : ": max_depth_m")));
+        if (const char* const of_gauge = kind_of(evidence).figure) {
+            values.push_back(figure("gauge " + one.gauge + ": " + of_gauge));
             continue;
         }
         const auto gauge =
@@ -338,6 +325,16 @@ bool weighs(const CalibrationSpec& calibration, Evidence evidence) {
                        [&](const Weight& one) { return row_of(one.measure).needs == evidence; });
 }
 
+/// Adds a problem for each gauge with an observed value that the scene does not have.
+void check_gauges(const Prepared& base, const EventSpec& event, const std::string& where, Problems& problems) {
+    const std::vector<Gauge>& gauges = base.scene.recording.gauges;
+    for (const GaugeKind& kind : k_gauge_kinds)
+        for (const GaugeValue& one : event.*(kind.values))
+            if (std::none_of(gauges.begin(), gauges.end(), [&](const Gauge& gauge) { return gauge.name == one.gauge; }))
+                problems.add({"the scene has no gauge of this name", where, one.gauge, "",
+                              "Name a point of the scene's output.gauges"});
+}
+
 /// Every event needs something that is compared, every measure an event, and gauges must exist.
 void check_evidence(const CalibrationInput& input, Problems& problems) {
     const CalibrationSpec& calibration = input.spec();
@@ -345,7 +342,7 @@ void check_evidence(const CalibrationInput& input, Problems& problems) {
     std::vector<bool> used(calibration.objective.size());
     for (const Weight& one : calibration.objective) {
         measures.emplace_back(row_of(one.measure).name);
-        sources.emplace_back(source_of(row_of(one.measure).needs));
+        sources.emplace_back(k_sources[static_cast<std::size_t>(row_of(one.measure).needs)]);
     }
     for (std::size_t e = 0; e < input.events(); ++e) {
         const EventSpec& event = calibration.events[e];

@@ -21,8 +21,6 @@ const MeasureRow& row_of(Measure measure);
 bool has_evidence(const Prepared& base, const EventSpec& event, Evidence evidence);
 /// Whether a run-out or values at gauges that the study gives have a stated error.
 bool has_stated_error(const EventSpec& event, Evidence evidence);
-/// Adds a problem for each gauge with an observed value that the scene does not have.
-void check_gauges(const Prepared& base, const EventSpec& event, const std::string& where, Problems& problems);
 
 /// How far a member is from what was surveyed.
 struct MemberAgreement {
@@ -58,9 +56,6 @@ class EventSurvey {
     [[nodiscard]] double observed_runout() const noexcept { return runout_; }
     /// N of all stated errors together; 0: none is stated.
     [[nodiscard]] double pieces() const;
-    /// Outline: length over which errors are alike [m], and its N; 0 without a stated error.
-    [[nodiscard]] double error_length() const noexcept { return error_length_; }
-    [[nodiscard]] double outline_pieces() const noexcept { return outline_pieces_; }
 
   private:
     [[nodiscard]] double misfit(Measure measure, const MemberRecord& record) const;
@@ -81,12 +76,9 @@ class EventSurvey {
     Raster elevation_change_;  ///< [m]
     std::optional<LineSet> outline_;
     double scar_area_ = 0, runout_ = 0;
-    double error_length_ = 0, outline_pieces_ = 0, outline_variance_ = 0, deposit_pieces_ = 0, deposit_variance_ = 0;
+    double outline_pieces_ = 0, outline_variance_ = 0, deposit_pieces_ = 0, deposit_variance_ = 0;
     std::vector<Gauge> gauges_;
 };
-
-/// r(a, b) = |a - b| / max(a, b), from 0 to 1; 0 if both are 0.
-double relative_difference(double a, double b);
 
 /// A calibration whose files have been read as text.
 struct CalibrationTexts {

@@ -61,7 +61,7 @@ class EntryReader {
     std::set<std::string> seen_;
 };
 
-/// The keys of [study], and of [region] and [degree]; the parser, the messages and the echo follow from them.
+/// The keys of [study], and of [region]; the parser, the messages and the echo follow from them.
 const std::vector<ParameterOf<StudySpec>>& study_keys();
 const std::vector<ParameterOf<StudySpec>>& region_keys();
 /// Returns a key of [study] for another section, perhaps with another meaning.

@@ -16,26 +16,6 @@
 
 namespace frana::app::study {
 
-const char* source_of(Evidence evidence) {
-    switch (evidence) {
-        case Evidence::scar:
-            return "observed.perimeter in the scene";
-        case Evidence::runout:
-            return "observed.perimeter in the scene, or runout in [event NAME]";
-        case Evidence::deposit:
-            return "observed.deposit in the scene";
-        case Evidence::elevation_change:
-            return "observed.deposit in the scene, as a raster";
-        case Evidence::arrival:
-            return "arrival GAUGE in [event NAME]";
-        case Evidence::speed:
-            return "speed GAUGE in [event NAME]";
-        case Evidence::depth:
-            break;
-    }
-    return "depth GAUGE in [event NAME]";
-}
-
 std::size_t CalibrationSpec::key_count() const {
     return first_own_key(events.size());
 }
@@ -71,14 +51,6 @@ const std::vector<ParameterOf<Weight>>& weight_keys() {
     }();
     return k_keys;
 }
-
-/// Values observed at gauges: "arrival bridge = 35".
-struct GaugeKind {
-    const char *word, *unit;
-    std::vector<GaugeValue> EventSpec::*values;
-};
-constexpr GaugeKind k_gauge_kinds[] = {
-    {"arrival", "s", &EventSpec::arrival}, {"speed", "m/s", &EventSpec::speed}, {"depth", "m", &EventSpec::depth}};
 
 constexpr const char* k_sections =
     "A calibration has the sections [study], [objective], [set], [vary], [correlate], and for single events [event "

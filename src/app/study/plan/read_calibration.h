@@ -41,8 +41,12 @@ inline constexpr MeasureRow k_measures[] = {
     {Measure::speed, "speed", Evidence::speed, worded("mean over gauges of r(greatest speed, observed one)")},
     {Measure::depth, "depth", Evidence::depth, worded("mean over gauges of r(greatest depth, observed one)")}};
 
-/// Where an event's evidence comes from, for messages.
-const char* source_of(Evidence evidence);
+/// Where an event's evidence comes from, for messages; by Evidence.
+inline constexpr const char* k_sources[] = {
+    "observed.perimeter in the scene", "observed.perimeter in the scene, or runout in [event NAME]",
+    "observed.deposit in the scene",   "observed.deposit in the scene, as a raster",
+    "arrival GAUGE in [event NAME]",   "speed GAUGE in [event NAME]",
+    "depth GAUGE in [event NAME]"};
 
 struct Weight {
     Measure measure = Measure::jaccard;
@@ -64,6 +68,17 @@ struct EventSpec {
     std::vector<Variation> vary;                    ///< likewise
     StudyReading members;  ///< its scene with all keys that are set or vary for it: shared ones first, then its own
 };
+
+/// Values observed at gauges: "arrival bridge = 35".
+struct GaugeKind {
+    Evidence evidence;
+    const char *word, *unit;
+    std::vector<GaugeValue> EventSpec::*values;
+    const char* figure;  ///< of a gauge; null: from the record's map
+};
+inline constexpr GaugeKind k_gauge_kinds[] = {{Evidence::arrival, "arrival", "s", &EventSpec::arrival, nullptr},
+                                              {Evidence::speed, "speed", "m/s", &EventSpec::speed, "max_speed_ms"},
+                                              {Evidence::depth, "depth", "m", &EventSpec::depth, "max_depth_m"}};
 
 /// A calibration as specified in its file; no scene is read yet.
 struct CalibrationSpec {

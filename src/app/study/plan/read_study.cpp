@@ -25,11 +25,15 @@ using StudyKey = ParameterOf<StudySpec>;
 constexpr std::int64_t k_last_seed = 2'147'483'647;
 constexpr const char* k_table_word = "table:";
 
-/// Samplings of earlier versions, and what to use.
+/// Samplings and keys of earlier versions, and what to use.
 constexpr std::pair<const char*, const char*> k_gone_samplings[] = {
     {"latin-hypercube", "Write sampling = sobol: it is at least as certain with as many runs"},
     {"grid", "Write sampling = sobol, or table:FILE.csv with the combinations as rows"},
-    {"saltelli", "Write sampling = sobol: its sensitivities need 64 runs, not thousands"}};
+    {"saltelli", "Write sampling = sobol: its sensitivities need 64 runs, not thousands"},
+    {"morris", "Write sampling = sobol: sensitivity.csv tells each key's part and what the keys do not explain"}};
+constexpr std::pair<const char*, const char*> k_gone_keys[] = {
+    {"study.levels", "Remove it: sampling = sobol is as certain at the same cost"},
+    {"study.per-polygon", "Write a region, whose polygons each fail alone, and run it with `frana batch`"}};
 
 StudyKey sampling_key() {
     declare::Words<Sampling> words;
@@ -49,37 +53,10 @@ StudyKey sampling_key() {
         return std::nullopt;
     };
     key.write = [of_word = key.write](const StudySpec& study) -> std::optional<std::string> {
-        if (study.per_polygon()) return std::nullopt;
         return study.sampling == Sampling::table ? k_table_word + study.table : of_word(study);
     };
     key.map_files = [](StudySpec& study, const FileMap& map) {
         if (!study.table.empty()) study.table = map(study.table);
-    };
-    return key;
-}
-
-StudyKey per_polygon_key() {
-    auto key = declare::parameter<StudySpec>(
-        "study.per-polygon", "on | off", FRANA_MEMBER(sampling),
-        [](Sampling& sampling, const std::string& text) -> std::optional<ValueProblem> {
-            if (text != "on" && text != "off") return ValueProblem{"is not one of the choices", ""};
-            if (text == "on") sampling = Sampling::polygons;
-            return std::nullopt;
-        },
-        [](Sampling) { return std::string("on"); });
-    key.limits = "on, off";
-    key.meaning = "Each polygon of the release perimeter is a member of its own; nothing is drawn from distributions.";
-    key.write = [write = key.write](const StudySpec& study) {
-        return study.per_polygon() ? write(study) : std::nullopt;
-    };
-    return key;
-}
-
-/// A key that has no effect, and is not written, where nothing is drawn.
-StudyKey of_drawn(StudyKey key, bool also_of_tables) {
-    key.write = [write = key.write, also_of_tables](const StudySpec& study) -> std::optional<std::string> {
-        if (study.per_polygon() || (study.sampling == Sampling::table && !also_of_tables)) return std::nullopt;
-        return write(study);
     };
     return key;
 }
@@ -91,6 +68,11 @@ const std::vector<StudyKey>& study_keys() {
     static const std::vector<StudyKey> k_keys = [] {
         StudyKey scene_file = text<StudySpec>("study.scene", FRANA_MEMBER(scene), "file", "The scene whose keys vary.");
         scene_file.limits = "a scene file";
+        StudyKey samples = integer<StudySpec>("study.samples", FRANA_MEMBER(samples), 2, k_most_samples,
+                                              "Number of members; with until the most.");
+        samples.write = [write = samples.write](const StudySpec& study) {
+            return study.sampling == Sampling::table ? std::nullopt : write(study);
+        };
         return std::vector<StudyKey>{
             scene_file,
             option<StudySpec>(
@@ -98,14 +80,10 @@ const std::vector<StudyKey>& study_keys() {
                 declare::Words<Scheme>{{"default", Scheme::standard}, {"finite-volume", Scheme::finite_volume}},
                 "Numerical scheme of all members; without it that of the scene. Two members are computed "
                 "again by the other one."),
-            of_drawn(integer<StudySpec>("study.samples", FRANA_MEMBER(samples), 2, k_most_samples,
-                                        "Number of members; with until the most."),
-                     false),
+            samples,
             sampling_key(),
-            per_polygon_key(),
-            of_drawn(integer<StudySpec>("study.seed", FRANA_MEMBER(seed), 0, k_last_seed,
-                                        "The same seed gives the same members."),
-                     true),
+            integer<StudySpec>("study.seed", FRANA_MEMBER(seed), 0, k_last_seed,
+                               "The same seed gives the same members."),
             text<StudySpec>("study.rare-place", FRANA_MEMBER(rare_place), "text",
                             "A gauge of the scene (output.gauges): with sampling = importance most members are drawn "
                             "near what makes the flow come there."),
@@ -145,7 +123,6 @@ class StudyReader : private EntryReader {
     void add_correlation(const std::string& keys, const IniEntry& entry);
     void add_column(const std::string& key, const IniEntry& entry);
     void check_columns();
-    void check_per_polygon();
     void check_sampling();
     void check_option(const Variation& vary, std::size_t option, double first_round);
     [[nodiscard]] const Variation* variation_of(const std::string& key) const;
@@ -167,15 +144,19 @@ void StudyReader::add(const IniEntry& entry) {
     if (section == "set" && !rest.empty()) return add_setting(rest, entry);
     if (is("columns", true)) return add_column(rest, entry);
     if (is("vary", false)) return add_variation(rest, entry);
-    if (entry.name == "study.levels")
-        return refuse("is no longer a key", entry, "", "Remove it: sampling = sobol is as certain at the same cost");
+    for (const auto& [gone, instead] : k_gone_keys)
+        if (entry.name == gone) return refuse("is no longer a key", entry, "", instead);
+    if (is("degree", true))
+        return refuse("is no longer a key of a region", entry, "",
+                      "Write [degree] into a hazard scheme of your own (share/doc/hazard.md), and name that file in "
+                      "hazard.scheme");
     if (is("correlate", false)) return add_correlation(rest, entry);
     const std::string all = joined(names_of(keys), ", ");
     if (is_region() || is("study", false))
-        refuse_name("unknown key", entry.name, names_of(keys),
-                    is_region() ? "A region has the sections [region], [set], [columns] and [degree], with " + all
-                                : "Known are " + all,
-                    entry);
+        refuse_name(
+            "unknown key", entry.name, names_of(keys),
+            is_region() ? "A region has the sections [region], [set] and [columns], with " + all : "Known are " + all,
+            entry);
     else
         refuse("unknown key", entry, "",
                "An ensemble has the sections [study], [set], [vary] and [correlate]; a calibration, for `frana "
@@ -258,7 +239,6 @@ void StudyReader::check() {
         add_problem({"gives all values: [vary] and [correlate] have no effect", where("study.sampling"), "", "",
                      "Remove the sections, or choose another sampling"});
     if (is_region()) return check_columns();
-    if (study.per_polygon()) return check_per_polygon();
     if (!by_table && !has_vary)
         add_problem({"has no key", where("vary"), "", "", "Give at least one key a distribution"});
     if (variation_of("material.friction-angle") != nullptr && variation_of("material.friction-coefficient") != nullptr)
@@ -284,17 +264,6 @@ void StudyReader::check_columns() {
             if (set.starts_with(one.key + "="))
                 add_problem({"is also set for all slopes", where("columns." + one.key), "", "",
                              "Keep it in one of [set] and [columns]"});
-}
-
-void StudyReader::check_per_polygon() {
-    for (const std::string& name : seen()) {
-        const bool of_sampling = name.starts_with("vary.") || name.starts_with("correlate.") ||
-                                 name == "study.samples" || name == "study.sampling" || name == "study.seed" ||
-                                 name == "study.until" || name == "study.rare-place";
-        if (of_sampling)
-            add_problem({"has no effect with study.per-polygon = on: each polygon is one member", where(name), "", "",
-                         "Remove it, or per-polygon"});
-    }
 }
 
 void StudyReader::check_option(const Variation& vary, std::size_t option, double first_round) {
@@ -323,14 +292,6 @@ void StudyReader::check_sampling() {
     if (study.until && method.kind != Kind::sample)
         refuse_for("cannot be stopped before its last member by study.until",
                    "Remove study.until, or choose sobol or random");
-    if (method.more_in_group > 0 && !study.vary.empty()) {
-        const auto group = static_cast<std::int64_t>(study.group_size());
-        if (study.samples % group != 0 || study.samples / group < 2)
-            add_problem({"is not a multiple of the keys plus " + std::to_string(method.more_in_group) +
-                             ", which sampling = " + method.name + " needs",
-                         where("study.samples"), std::to_string(study.samples), "",
-                         "Write " + std::to_string(std::max<std::int64_t>(2, study.samples / group) * group)});
-    }
     const bool in_rounds = study.sampling == Sampling::importance;
     if (in_rounds && !study.rare_place)
         refuse_for("needs a place that is seldom reached",

@@ -16,7 +16,6 @@
 #include "core/text.h"
 #include "gis/crs/crs_transform.h"
 #include "gis/raster/working_grid.h"
-#include "params/grammar/ini_file.h"
 
 namespace frana::app::study {
 namespace {
@@ -29,32 +28,27 @@ gis::PolygonLayer polygons_of(const SceneReading& reading, const std::string& cr
     return reading.session.read(gis::read_polygons, *reading.scene.release.perimeter, crs, reading.where(key), own);
 }
 
-/// Refuses a scheme without intensities, or with several matrices of which hazard.process names none. Its matrix is the
-/// region's, unless that has keys of [degree].
+/// Refuses a scheme without intensities, or with several matrices of which hazard.process names none.
 void settle_degree(StudyInput& input) {
     RegionSpec& region = *input.reading.study.region;
     if (!region.return_period) return;
     const auto scheme = hazard_scheme_of(input.base.spec);
     if (scheme && has_intensities(*scheme)) {
-        const std::vector<IniEntry> entries = read_ini(input.reading.study.file);
-        if (std::any_of(entries.begin(), entries.end(),
-                        [](const IniEntry& entry) { return entry.name.starts_with("degree."); }))
-            return;
         if (const ProcessMatrix* const matrix = scheme->matrix_of(input.base.spec.hazard.process)) {
             region.degrees = matrix->degrees;
             return;
         }
         std::vector<std::string> known;
         for (const ProcessMatrix& one : scheme->matrices) known.push_back(one.process);
-        throw Error(ErrorKind::input, Problem{"is not given, and " + scheme->name + " has a matrix for each process",
-                                              input.central.where("hazard.process"), "", joined(known, ", "),
-                                              "Name one, or give the region a section [degree]"});
+        throw Error(ErrorKind::input,
+                    Problem{"is not given, and " + scheme->name + " has a matrix for each process",
+                            input.central.where("hazard.process"), "", joined(known, ", "), "Name one"});
     }
     throw Error(ErrorKind::input,
                 Problem{scheme ? "does not tell weak, medium and strong intensity, which the degree of hazard needs"
                                : "is missing, and the degree of hazard needs intensities",
                         input.central.where("hazard.scheme"), scheme ? scheme->name : "",
-                        "a scheme with a matrix (`frana schemes --json`: degree_of_hazard), or custom with two limits",
+                        "a scheme with a matrix (`frana schemes` names it), or custom with two limits",
                         "Choose one of these, or remove region.return-period"});
 }
 
@@ -132,7 +126,7 @@ std::size_t largest_sound(const std::vector<double>& sizes, const std::vector<Sl
     std::size_t largest = 0;
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         if (sizes[i] > sizes[largest]) largest = i;
-        if (!slopes.empty() && !slopes[i].problem.empty()) continue;
+        if (!slopes[i].problem.empty()) continue;
         if (!best || sizes[i] > sizes[*best]) best = i;
     }
     return best.value_or(largest);

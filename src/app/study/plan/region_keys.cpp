@@ -52,62 +52,6 @@ RegionKey window_key() {
     return key;
 }
 
-/// One value for each probability of an event; `from_word` stores one or returns why not.
-template <class Member, class FromWord, class ToWord>
-RegionKey by_probability(const std::string& name, Member member, const std::string& limits, const std::string& example,
-                         const std::string& meaning, FromWord from_word, ToWord to_word) {
-    auto key = declare::parameter<StudySpec>(
-        name, "list", of_region(member),
-        [example, from_word](auto& target, const std::string& text) -> std::optional<ValueProblem> {
-            const std::vector<std::string> words = words_of(text);
-            if (words.size() != k_probabilities)
-                return ValueProblem{"has " + std::to_string(words.size()) + " values", example};
-            auto values = target;
-            for (std::size_t i = 0; i < words.size(); ++i)
-                if (const auto problem = from_word(words[i], i, values)) return problem;
-            target = values;
-            return std::nullopt;
-        },
-        [to_word](const auto& values) {
-            std::vector<std::string> words;
-            for (const auto& value : values) words.push_back(to_word(value));
-            return joined(words, ", ");
-        });
-    key.limits = limits;
-    key.meaning = meaning;
-    return key;
-}
-
-RegionKey periods_key() {
-    return by_probability(
-        "degree.return-periods", FRANA_MEMBER(degrees.periods), "three rising numbers greater than 0",
-        "Write 30, 100, 300",
-        "Longest return periods of high, medium and low probability in years; rarer is a residual hazard.",
-        [](const std::string& word, std::size_t i, auto& values) -> std::optional<ValueProblem> {
-            const auto years = number_from_text(word);
-            if (!years || !(*years > (i == 0 ? 0 : values[i - 1])))
-                return ValueProblem{"does not rise from above 0", ""};
-            values[i] = *years;
-            return std::nullopt;
-        },
-        shortest_text);
-}
-
-RegionKey degrees_key(int intensity) {
-    const auto row = static_cast<std::size_t>(intensity - 1);
-    return by_probability(
-        "degree." + intensity_name(intensity), [row](auto& region) -> auto& { return region.degrees.degrees[row]; },
-        "three of red, blue, yellow, yellow-white", "",
-        "Degrees of hazard for " + intensity_name(intensity) + " intensity with high, medium and low probability.",
-        [](const std::string& word, std::size_t i, auto& values) -> std::optional<ValueProblem> {
-            const auto degree = degree_from(word);
-            if (!degree) return ValueProblem{"'" + word + "' is no degree", ""};
-            values[i] = *degree;
-            return std::nullopt;
-        },
-        [](HazardDegree degree) { return name_of(degree); });
-}
-
 }  // namespace
 
 const std::vector<RegionKey>& region_keys() {
@@ -121,18 +65,13 @@ const std::vector<RegionKey>& region_keys() {
                    "Which of several events each polygon is; each has maps of its own."),
         column_key("region.return-period", FRANA_MEMBER(return_period),
                    "Return period in years, for the degree of hazard."),
-        window_key(),
-        periods_key(),
-        degrees_key(3),
-        degrees_key(2),
-        degrees_key(1)};
+        window_key()};
     return k_keys;
 }
 
 std::string region_text(const StudySpec& study) {
     std::string text = "# A region as used; `frana batch` on this file repeats it.\n\n[region]\n" +
-                       keys_text(region_keys(), study, "region") + "\n[degree]\n" +
-                       keys_text(region_keys(), study, "degree") + settings_text("set", study.set);
+                       keys_text(region_keys(), study, "region") + settings_text("set", study.set);
     if (!study.region->columns.empty()) text += "\n[columns]\n";
     for (const RegionSpec::Column& one : study.region->columns) text += one.key + " = " + one.column + "\n";
     return text;

@@ -158,15 +158,14 @@ PolygonMembers polygon_members(const StudySpec& study, const std::string& label,
     const ReleaseSpec& release = scene.scene.release;
     const std::string where = scene.where("release.perimeter");
     if (!release.perimeter) {
-        problems.add({"is missing, and " + std::string(study.region ? "a region" : "study.per-polygon = on") +
-                          " takes its polygons",
-                      where, "", "a vector file", "Name the file of the release perimeters"});
+        problems.add({"is missing, and a region takes its polygons", where, "", "a vector file",
+                      "Name the file of the release perimeters"});
         return members;
     }
     const std::string key = "release.perimeter-filter", own = release.perimeter_layer.filter.value_or("");
     attempt(problems, [&] {
         gis::LayerChoice choice = layer_choice(scene, release.perimeter_layer, "release.perimeter");
-        choice.keep_unusable = study.region.has_value();
+        choice.keep_unusable = true;
         const gis::PolygonLayer layer = gis::read_polygons(*release.perimeter, "", where, choice);
         members.table.keys = {key};
         members.table.nominal = {true};
@@ -177,7 +176,6 @@ PolygonMembers polygon_members(const StudySpec& study, const std::string& label,
             members.table.weights.push_back(1);
             members.sizes.push_back(area(layer.features[i].parts));
         }
-        if (!study.region) return;
         require_columns(*study.region, layer, label, problems);
         add_columns(study, layer, members);
         require_one_period(members.slopes, label, problems);
@@ -331,20 +329,15 @@ StudyTexts read_study_texts(const std::string& path, const Session& session, Run
     if (texts.reading.study.scene.empty()) texts.reading.problems.throw_if_any();
     std::vector<std::string> central;
     try {
-        if (texts.reading.study.per_polygon()) {
+        if (texts.reading.study.region) {
             const SceneReading scene = read_member(texts.reading, {});
-            if (texts.reading.study.region)
-                take_friction_period(*texts.reading.study.region, scene.scene.friction_table);
+            take_friction_period(*texts.reading.study.region, scene.scene.friction_table);
             PolygonMembers members =
                 polygon_members(texts.reading.study, texts.reading.label, scene, texts.reading.problems);
             texts.table = std::move(members.table);
             texts.slopes = std::move(members.slopes);
-            if (texts.reading.study.region) {
-                const auto scene_of = [&](std::size_t i) {
-                    return read_member(texts.reading, texts.table.overrides(i));
-                };
-                find_problems(scene_of, texts.slopes, texts.reading.problems);
-            }
+            find_problems([&](std::size_t i) { return read_member(texts.reading, texts.table.overrides(i)); },
+                          texts.slopes, texts.reading.problems);
             if (texts.table.size() > 0) central = texts.table.overrides(largest_sound(members.sizes, texts.slopes));
         } else {
             texts.table = read_samples(texts.reading);
@@ -367,11 +360,6 @@ StudyTexts read_study_scenes(StudyReading reading, SampleTable table) {
     texts.table = std::move(table);
     read_scenes(central_overrides(texts.reading.study, texts.table), true, texts);
     return texts;
-}
-
-void redraw(StudyInput& input) {
-    input.table = read_samples(input.reading);
-    input.reading.problems.throw_if_any();
 }
 
 StudyInput prepare_study(StudyTexts texts, const std::optional<Problem>& place, RunLog& log) {

@@ -30,7 +30,7 @@ struct Slope {
 struct PolygonMembers {
     SampleTable table;            ///< release.perimeter-filter selects the polygon; of a region also its columns
     std::vector<double> sizes;    ///< areas, by member
-    std::vector<Slope> slopes{};  ///< of a region, by member
+    std::vector<Slope> slopes{};  ///< by member
 };
 
 /// A study with everything checked that can be checked before its members run.
@@ -54,9 +54,6 @@ struct StudyInput {
     /// Returns the scene with the study's settings and these values ("key=value").
     [[nodiscard]] SceneReading scene_with(const std::vector<std::string>& overrides) const;
 };
-
-/// Draws other members for a study that was prepared, as its `reading.study` says by now. Throws Error(input).
-void redraw(StudyInput& input);
 
 /// A study whose files have been read as text: where its result goes is known, and all problems so far.
 struct StudyTexts {

@@ -41,6 +41,28 @@ void require_a_member(const EventRuns& runs, const EventSpec& event) {
                         "`frana run` on the scene shows more; correct the scene or the ranges in [vary]"});
 }
 
+/// Compares the records of an event's members from `first` on with its survey, and adds them to its runs.
+void compare_members(const CalibrationInput& input, std::size_t event, const StudyInput& members, std::size_t first,
+                     EventRuns& runs) {
+    const Prepared& base = members.base;
+    FinishedMembers finished;
+    const RecordFiles records(runs.records);
+    for (std::size_t i = first; i < members.table.size(); ++i) {
+        const MemberRecord record = require_own_record(members, records.place(i), i);
+        runs.members.push_back({record.failure, {}, record.engine_seconds, record.end});
+        if (record.finished()) finished.records.push_back(records.place(i));
+    }
+    const EventSurvey survey(base, input.spec().events[event], input.spec().objective,
+                             reached_window(finished, base.scene.grid));
+    runs.cell_size = base.scene.grid.cell_size;
+    runs.measures = survey.measures();
+    runs.observed_runout = survey.observed_runout();
+    runs.pieces = survey.pieces();
+    for (std::size_t i = first; i < runs.members.size(); ++i)
+        if (runs.members[i].failure.empty())
+            runs.members[i].agreement = survey.compare(require_record(records.place(i)));
+}
+
 /// Runs the members that are not in `runs` yet for every event. Returns false if a signal stopped it.
 bool run_members(CalibrationInput& input, const RunSetting& setting, RunLog& log, CalibrationRuns& runs) {
     const CalibrationSpec& calibration = input.spec();
@@ -94,29 +116,6 @@ std::size_t CalibrationRuns::failed() const {
     for (const EventRuns& event : events)
         for (const MemberOutcome& one : event.members) count += one.failure.empty() ? 0 : 1;
     return count;
-}
-
-void compare_members(const CalibrationInput& input, std::size_t event, const StudyInput& members, std::size_t first,
-                     EventRuns& runs) {
-    const Prepared& base = members.base;
-    FinishedMembers finished;
-    const RecordFiles records(runs.records);
-    for (std::size_t i = first; i < members.table.size(); ++i) {
-        const MemberRecord record = require_own_record(members, records.place(i), i);
-        runs.members.push_back({record.failure, {}, record.engine_seconds, record.end});
-        if (record.finished()) finished.records.push_back(records.place(i));
-    }
-    const EventSurvey survey(base, input.spec().events[event], input.spec().objective,
-                             reached_window(finished, base.scene.grid));
-    runs.cell_size = base.scene.grid.cell_size;
-    runs.measures = survey.measures();
-    runs.observed_runout = survey.observed_runout();
-    runs.pieces = survey.pieces();
-    runs.error_length = survey.error_length();
-    runs.outline_pieces = survey.outline_pieces();
-    for (std::size_t i = first; i < runs.members.size(); ++i)
-        if (runs.members[i].failure.empty())
-            runs.members[i].agreement = survey.compare(require_record(records.place(i)));
 }
 
 CalibrationModel model_of(const CalibrationSpec& calibration, const CalibrationRuns& runs) {

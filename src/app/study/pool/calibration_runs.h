@@ -28,8 +28,7 @@ struct EventRuns {
     std::vector<MemberOutcome> members;
     double cell_size = 0, observed_runout = 0;  ///< [m]
     double pieces = 0;                          ///< EventSurvey::pieces()
-    double error_length = 0, outline_pieces = 0;
-    std::string records;  ///< the folder that contains their folder of records
+    std::string records;                        ///< the folder that contains their folder of records
 };
 
 /// Members at places in all keys, run for every event.
@@ -62,11 +61,6 @@ struct RunSetting {
 
 /// What another rank reads of a calibration: its events.
 RankStudies studies_of(CalibrationInput input);
-
-/// Compares the records of an event's members from `first` on with its survey, and adds them to its runs. Throws
-/// Error(environment) for one that cannot be read.
-void compare_members(const CalibrationInput& input, std::size_t event, const StudyInput& members, std::size_t first,
-                     EventRuns& runs);
 
 /// Returns what the members say of all places.
 CalibrationModel model_of(const CalibrationSpec& calibration, const CalibrationRuns& runs);

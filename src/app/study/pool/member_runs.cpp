@@ -89,7 +89,7 @@ std::optional<MemberRecord> run_member(const StudyInput& input, const MemberTask
         }
         if (result.stop_reason == StopReason::requested) return std::nullopt;
         RecordExtras extras = record_extras(input.base.spec);
-        extras.pressure = extras.pressure || input.reading.study.per_polygon() || input.base.extra.exposure;
+        extras.pressure = extras.pressure || input.reading.study.region || input.base.extra.exposure;
         extras.deposit = input.kept_deposit;
         MemberRecord record = record_of(task.member, result, scene, input.base.spec.output.trace_threshold, extras);
         warn_without_pages(prepared, result, log);
@@ -401,22 +401,6 @@ void RankPool::exchange(const std::function<std::optional<MemberTask>()>& take,
     }
 }
 
-MemberProgress::MemberProgress(std::size_t done, std::size_t total, bool quiet)
-    : done_(done), total_(total), line_(quiet) {}
-
-void MemberProgress::add_member() {
-    ++done_;
-    ++here_;
-    if (!line_.is_due()) return;
-    const double left = line_.seconds() / static_cast<double>(here_) * static_cast<double>(total_ - done_);
-    line_.show("member " + std::to_string(done_) + " of at most " + std::to_string(total_) + "  " +
-               duration_text(left) + " left at most");
-}
-
-void MemberProgress::finish() {
-    line_.finish();
-}
-
 MemberRunner::MemberRunner(const StudyInput& input, const std::string& folder, int threads, bool quiet, RankPool* ranks,
                            std::size_t study)
     : input_(input),
@@ -424,7 +408,9 @@ MemberRunner::MemberRunner(const StudyInput& input, const std::string& folder, i
       threads_(static_cast<std::size_t>(threads)),
       ranks_(ranks),
       study_(study),
-      progress_(records_.count(), std::max(input.members(), input.table.size()), quiet),
+      done_(records_.count()),
+      total_(std::max(input.members(), input.table.size())),
+      line_(quiet),
       members_(std::vector<const StudyInput*>(study + 1, &input), threads) {}
 
 int MemberRunner::stopped_by() const {
@@ -443,7 +429,11 @@ std::optional<MemberTask> MemberRunner::take() {
 void MemberRunner::keep(std::size_t member, const std::string& record) {
     records_.append(member, record);
     ++computed_;
-    progress_.add_member();
+    ++done_;
+    if (!line_.is_due()) return;
+    const double left = line_.seconds() / static_cast<double>(computed_) * static_cast<double>(total_ - done_);
+    line_.show("member " + std::to_string(done_) + " of at most " + std::to_string(total_) + "  " +
+               duration_text(left) + " left at most");
 }
 
 void MemberRunner::run_until_all_are_back() {
@@ -473,7 +463,7 @@ bool MemberRunner::run_until(std::size_t end) {
     end_ = end;
     run_until_all_are_back();
     records_.sync();
-    progress_.finish();
+    line_.finish();
     return stopped_by() == 0;
 }
 

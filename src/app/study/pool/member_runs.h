@@ -113,20 +113,6 @@ class RankPool {
     int interrupted_ = 0;
 };
 
-/// Shows how many members have run and the time left.
-class MemberProgress {
-  public:
-    /// @param done members that ran before the study was resumed
-    MemberProgress(std::size_t done, std::size_t total, bool quiet);
-    void add_member();
-    /// Clears the updated line.
-    void finish();
-
-  private:
-    std::size_t done_, total_, here_ = 0;
-    StatusLine line_;
-};
-
 /// Runs members side by side, each on one thread, in this process and in other ranks, and keeps a record of each in
 /// RecordFiles, which this process alone writes. Those that have a record are not run again. Who runs
 /// which member, and in which order, changes no bit of any record but its wall time.
@@ -157,7 +143,8 @@ class MemberRunner {
     RankPool* ranks_;
     std::size_t study_;
     std::size_t next_ = 0, end_ = 0;  ///< members below `next_` were given out or have a record
-    MemberProgress progress_;
+    std::size_t done_, total_;        ///< members with a record, also of earlier sessions; at most
+    StatusLine line_;
     std::size_t computed_ = 0, out_ = 0;  ///< out: given to the threads of this process
     MemberThreads members_;
 };

@@ -139,44 +139,25 @@ OpenRuns open_runs(const StudyInput& input, const RecordFiles& records, const St
     return all;
 }
 
-/// Groups of a design of which every member finished; each gets the next number.
-std::map<std::size_t, std::size_t> whole_groups(const StudyInput& input, const StudyResult& result) {
-    std::map<std::size_t, std::size_t> counts, numbers;
-    for (const std::size_t place : result.finished_at) ++counts[result.members[place].member % input.table.groups];
-    for (const auto& [group, count] : counts)
-        if (count == input.reading.study.group_size()) numbers.emplace(group, numbers.size());
-    return numbers;
-}
-
-void choose_design(const StudyInput& input, const RecordFiles& records, StudyResult& result) {
+DesignPoints points_of(const StudyInput& input, const StudyResult& result) {
     const SampleTable& table = input.table;
-    result.points.nominal = table.nominal;
-    if (table.groups > 0) {
-        const auto groups = whole_groups(input, result);
-        for (const std::size_t place : result.finished_at) {
-            const std::size_t member = result.members[place].member;
-            if (groups.count(member % table.groups) > 0)
-                add_finished(input, records, member, place, result.design, result.design_at);
-        }
-        result.design.store = result.finished.store;
-        result.groups = groups.size();
-    } else {
-        result.design = result.finished;
-        result.design_at = result.finished_at;
+    DesignPoints points;
+    points.nominal = table.nominal;
+    for (const std::size_t place : result.finished_at) {
+        const std::size_t member = result.members[place].member;
+        points.numbers.push_back(table.numbers[member]);
+        if (!table.places.empty()) points.places.push_back(table.places[member]);
     }
-    for (const std::size_t place : result.design_at)
-        result.points.numbers.push_back(table.numbers[result.members[place].member]);
-    for (const std::size_t place : result.design_at)
-        if (!table.places.empty()) result.points.places.push_back(table.places[result.members[place].member]);
-    if (table.places.empty()) result.points.places = rank_places(result.points);
-    result.points.are_dependent = !input.reading.study.correlate.empty() || are_correlated(result.points);
+    if (table.places.empty()) points.places = rank_places(points);
+    points.are_dependent = !input.reading.study.correlate.empty() || are_correlated(points);
+    return points;
 }
 
 }  // namespace
 
 bool StudyResult::equal_weights() const {
-    return std::all_of(design.weights.begin(), design.weights.end(),
-                       [&](double weight) { return weight == design.weights.front(); });
+    return std::all_of(finished.weights.begin(), finished.weights.end(),
+                       [&](double weight) { return weight == finished.weights.front(); });
 }
 
 std::vector<RunOfStudy> StudyResult::runs() const {
@@ -240,7 +221,7 @@ StudyResult read_study_result(const StudyInput& input, const std::string& folder
     scale_weights(result.finished);
     result.open = open_runs(input, records, result);
     result.finished.store = result.open.runs.store;
-    choose_design(input, records, result);
+    result.points = points_of(input, result);
     result.grid = input.base.scene.grid;
     return result;
 }
@@ -272,11 +253,9 @@ std::optional<RarePlace> rare_place_of(const StudyInput& input, const StudyResul
 
 double largest_error(const StudyInput& input, const StudyResult& result) {
     double largest = 0;
-    for (const MappedEvents& events : mapped_events(input.base.spec)) {
-        const ErrorSummary errors =
-            error_of_first(result.finished, result.finished.size(), events.quantity, result.grid, events.thresholds);
-        largest = std::max(largest, errors.largest());
-    }
+    for (const MappedEvents& events : mapped_events(input.base.spec))
+        largest =
+            std::max(largest, error_of(result.finished, events.quantity, result.grid, events.thresholds).largest());
     return largest;
 }
 
@@ -285,18 +264,13 @@ bool is_field_of_error(const StudyInput& input, std::size_t key) {
 }
 
 std::vector<FigureSensitivity> sensitivities(const StudyInput& input, const StudyResult& result) {
-    const bool is_morris = input.reading.study.sampling == Sampling::morris;
     std::vector<FigureSensitivity> all;
-    if (result.design_at.size() < 2 || !result.equal_weights()) return all;
+    if (result.finished_at.size() < 2 || !result.equal_weights()) return all;
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
-        std::vector<double> output;
-        for (const std::size_t place : result.design_at) output.push_back(result.members[place].figures[f].value);
+        const std::vector<double> output = result.figure(f);
         if (std::adjacent_find(output.begin(), output.end(), std::not_equal_to<>()) == output.end()) continue;
         const Chaos chaos = openturns().chaos(result.points, {output}, {}).front();
-        FigureSensitivity one{result.figures()[f], {}, chaos.q2};
-        one.keys = !is_morris          ? rank_correlations(result.points, output)
-                   : result.groups > 1 ? elementary_effects(result.points, output, result.groups)
-                                       : std::vector<KeySensitivity>(result.points.nominal.size());
+        FigureSensitivity one{result.figures()[f], rank_correlations(result.points, output), chaos.q2};
         for (std::size_t k = 0; k < one.keys.size(); ++k) {
             KeySensitivity& key = one.keys[k];
             constexpr double k_none = std::numeric_limits<double>::quiet_NaN();

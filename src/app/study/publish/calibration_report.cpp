@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/study/publish/calibration_report.h"
+#include "app/study/publish/publish_calibration.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +15,7 @@
 #include "app/publish/report_tables.h"
 #include "app/store/result_files.h"
 #include "app/study/publish/map_writer.h"
+#include "app/study/publish/study_files.h"
 #include "app/study/statistics/study_maps.h"
 #include "app/text/number_text.h"
 #include "app/text/version.h"
@@ -22,9 +23,14 @@
 #include "gis/crs/crs.h"
 #include "gis/raster/footprint.h"
 #include "params/keys/output_parameters.h"
+#include "params/keys/scene_parameters.h"
+#include "params/keys/used_keys.h"
 
 namespace frana::app::study {
 
+namespace {
+
+/// How a calibration's maps and charts look: as the scene's keys ask.
 MapStyle calibration_style(const SceneSpec& scene) {
     const OutputSpec& output = scene.output;
     MapStyle style;
@@ -37,8 +43,6 @@ MapStyle calibration_style(const SceneSpec& scene) {
     style.date = date_on_maps(output.map_date, today());
     return style;
 }
-
-namespace {
 
 constexpr Rgb k_best_colour{200, 60, 20};
 
@@ -157,9 +161,10 @@ std::string range(double low, double high, const Words& words) {
     return words("{1} to {2}", {number(low, 3), number(high, 3)});
 }
 
-/// As column_of, in a language.
-std::string name_of(const CalibrationSpec& calibration, const KeySample& key, const Words& words) {
-    return key.event.empty() || calibration.events.size() == 1 ? key.key : words("{1} of {2}", {key.key, key.event});
+/// A key's name, with its event if others have it not.
+std::string name_of(const CalibrationSpec& calibration, const KeySample& key, const std::string& name,
+                    const Words& words) {
+    return key.event.empty() || calibration.events.size() == 1 ? name : words("{1} of {2}", {name, key.event});
 }
 
 Table keys_table(const CalibrationInput& input, const CalibrationResult& result, const Words& words) {
@@ -169,7 +174,7 @@ Table keys_table(const CalibrationInput& input, const CalibrationResult& result,
     for (std::size_t k = 0; k < result.keys.size(); ++k) {
         const KeySample& key = result.keys[k];
         const KeyPosterior& after = result.posteriors[k];
-        const std::string name = name_of(input.spec(), key, words);
+        const std::string name = name_of(input.spec(), key, key.key, words);
         std::string probabilities;
         for (const auto& [value, probability] : after.values)
             probabilities += (probabilities.empty() ? "" : ", ") + words.labelled(value, number(probability, 2));
@@ -230,49 +235,27 @@ Table failures_table(const CalibrationInput& input, const CalibrationRuns& runs,
     return table;
 }
 
-Document surveys_say(const CalibrationResult& result, const Words& words) {
-    List list;
-    for (const Sentence& sentence : result.sentences) list.items.push_back(sentence.in(words));
-    return Document().add(Paragraph{{}, words("What the surveys say.")}).add(list);
-}
-
-/// How well the best values repeat each event, fitted and, with several events, predicted from the others.
-Document scores_told(const CalibrationInput& input, const CalibrationResult& result, const Words& words) {
+Table facts_table(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
+                  const Words& words) {
     const ReportNumbers number(words);
-    std::string text = words("A score is 1 minus the misfit: 1 agrees.");
-    for (std::size_t e = 0; e < input.events(); ++e) {
-        const EventResult& event = result.events[e];
-        const std::string& name = input.spec().events[e].name;
-        text += " " + (event.predicted.possible
-                           ? words("{1}: {2} fitted, {3} predicted from the other events.",
-                                   {name, number(event.fitted.best_score, 3), number(event.predicted.best_score, 3)})
-                           : words("{1}: {2} fitted.", {name, number(event.fitted.best_score, 3)}));
-    }
-    if (input.events() == 1)
-        text += " " + words("With one event there is no forecast to check: the score is that of a fit.");
-    return Document().paragraph(words("How well the events are explained."), text);
-}
-
-Document runs_told(const CalibrationRuns& runs, const CalibrationResult& result, const Words& words) {
-    const ReportNumbers number(words);
-    std::string cells;
-    for (const EventRuns& event : runs.events) cells += (cells.empty() ? "" : ", ") + number(event.cell_size);
-    std::string text = words(
-        "{1} members on cells of {2} m, of which the first {3} are spread over the distributions; "
-        "effective number {4}.",
-        {std::to_string(runs.size()), cells, std::to_string(runs.design), number(result.effective, 3)});
+    std::vector<std::string> cells;
+    for (const EventRuns& event : runs.events) cells.push_back(number(event.cell_size));
+    Table table;
+    table.row({words("Members"), words("{1}, of which {2} spread over the distributions",
+                                       {std::to_string(runs.size()), std::to_string(runs.design)})});
+    table.row({words("Effective number"), number(result.effective, 3)});
+    table.row({words("Cells [m]"), joined(cells, ", ")});
     if (const std::size_t failed = runs.failed(); failed > 0)
-        text += " " + words("{1} runs failed and have no weight.", {std::to_string(failed)});
-    List list;
-    for (const Sentence& sentence : result.assumed) list.items.push_back(sentence.in(words));
-    return Document().paragraph(words("How sure."), text).add(list);
-}
-
-Document not_done(const Words& words) {
-    return Document().paragraph(
-        words("Not done."),
-        words("The values fit these events with this model; another place, another size or another model "
-              "needs its own calibration."));
+        table.row({words("Failed runs"), std::to_string(failed)}, "warning");
+    table.row({words("Last moves of the intervals [%]"),
+               number(100 * runs.moves[0], 2) + ", " + number(100 * runs.moves[1], 2)});
+    for (const Sentence& pair : result.sentences) table.row({words("Not told apart"), pair.in(words)});
+    for (std::size_t e = 0; e < input.events(); ++e)
+        if (const auto& check = result.scheme_checks[e])
+            for (const auto& [name, value] : rows_of(*check))
+                table.row({worded("{1}: {2}", {input.spec().events[e].name, name}).in(words), value.in(words)});
+    table.row({words("Limitations"), words("These events and this model; a score is a fit, not a forecast")});
+    return table;
 }
 
 Document answer(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
@@ -281,11 +264,26 @@ Document answer(const CalibrationInput& input, const CalibrationRuns& runs, cons
     if (facts.troubles.are_first()) answer.add(Paragraph{{}, headline(facts.troubles).in(words), "warning"});
     return answer.heading("answer", words("Values and answer"))
         .add(keys_table(input, result, words))
-        .add(surveys_say(result, words))
-        .add(scores_told(input, result, words))
-        .add(runs_told(runs, result, words))
-        .first_warnings(facts.warnings, words)
-        .add(not_done(words));
+        .add(scores_table(input, result, words))
+        .add(facts_table(input, runs, result, words))
+        .first_warnings(facts.warnings, words);
+}
+
+/// What the likelihood of each event rests on.
+Table likelihood_table(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
+                       const Words& words) {
+    const ReportNumbers number(words);
+    Table table({words("event"), words("pieces of information"), "Q2", words("factor of the stated errors"),
+                 words("not counted")});
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        const bool is_stated = runs.events[e].pieces > 0;
+        table.row(
+            {input.spec().events[e].name,
+             is_stated ? number(runs.events[e].pieces, 3) : words("{1} (assumed)", {number(input.spec().exponent, 3)}),
+             number(result.q2[e], 2), is_stated ? number(result.widening[e], 2) : "",
+             joined(result.uncounted[e], ", ")});
+    }
+    return table;
 }
 
 void add_inputs(const CalibrationInput& input, const Words& words, Document& page) {
@@ -296,12 +294,71 @@ void add_inputs(const CalibrationInput& input, const Words& words, Document& pag
     }
 }
 
-}  // namespace
-
 std::string calibration_title(const CalibrationInput& input) {
     std::string names;
     for (const EventSpec& event : input.spec().events) names += (names.empty() ? "" : ", ") + event.name;
     return names;
+}
+
+/// What the charts of a calibration show.
+struct CalibrationData {
+    const CalibrationInput& input;
+    const CalibrationResult& result;
+};
+
+/// The distribution of a key's values before the calibration and after it.
+render::ChartPanel posterior_panel(const CalibrationData& data, const KeySample& key, const Words& words) {
+    constexpr int k_parts = 40;  // of the distribution before
+    const Parameter* const parameter = find_parameter(scene_parameters(), key.key);
+    const std::string title = name_of(data.input.spec(), key, title_in(key.key, words), words);
+    render::ChartPanel panel{
+        title, with_unit(title, parameter == nullptr ? "" : parameter->unit), words("probability [-]"), {}, {0, 1}};
+    panel.x = key.prior.law == Law::log_uniform || key.prior.law == Law::log_normal ? render::Scale::logarithmic
+                                                                                    : render::Scale::linear;
+    StudySpec alone;
+    alone.vary.push_back({key.key, key.prior});
+    Places places;
+    for (int i = 0; i <= k_parts; ++i) places.push_back({std::clamp(i / double{k_parts}, 1e-6, 1 - 1e-6)});
+    Problems none;
+    const SampleTable prior = samples_at(alone, places, "", none);
+    render::ChartSeries before{words("before"), {150, 150, 150}, {}};
+    before.stroke = render::Stroke::dashed;
+    for (std::size_t i = 0; i < places.size(); ++i) before.points.push_back({prior.numbers[i][0], places[i][0]});
+    render::ChartSeries after{words("after"), render::k_chart_colours[0], {}, 2.6};
+    for (const Point& point : exceedance_curve(key.numbers, data.result.weights_after))
+        after.points.push_back({point.x, 1 - point.y});
+    panel.series = {std::move(before), std::move(after)};
+    return panel;
+}
+
+std::optional<render::Chart> posterior(const CalibrationData& data, const std::string& title, const MapSource& source) {
+    constexpr std::size_t k_most_panels = 9;
+    std::vector<const KeySample*> keys;
+    for (const KeySample& key : data.result.after)
+        if (!key.prior.is_nominal() && keys.size() < k_most_panels) keys.push_back(&key);
+    if (keys.empty()) return std::nullopt;
+    const Words& words = source.style.words;
+    render::Chart chart =
+        chart_sheet(source, title, words("probability that the value is smaller"), "posterior.csv", keys.size());
+    for (const KeySample* key : keys) chart.panels.push_back(posterior_panel(data, *key, words));
+    return chart;
+}
+
+constexpr ChartRow<CalibrationData> k_calibration_charts[] = {
+    {{"posterior", worded("values before and after the calibration")}, posterior}};
+
+}  // namespace
+
+void draw_calibration_charts(const CalibrationInput& input, const CalibrationResult& result,
+                             const ResultDirectory& directory, RunLog& log) {
+    const SceneSpec& scene = input.own.front().base.spec;
+    if (scene.output.maps.front() == "off" || !scene.output.charts) return;
+    MapSource source;
+    source.title = calibration_title(input);
+    source.style = calibration_style(scene);
+    directory.make_folder("charts");
+    draw_chart_rows(k_calibration_charts, CalibrationData{input, result}, source, directory.folder(),
+                    scene.output.report, log);
 }
 
 void write_calibration_report(const CalibrationInput& input, const CalibrationRuns& runs,
@@ -315,9 +372,9 @@ void write_calibration_report(const CalibrationInput& input, const CalibrationRu
     if (maps.empty()) page.paragraph(words("There are no maps."));
     page.maps(maps, folder, words)
         .heading("scores", words("How well the events are explained"))
-        .add(scores_table(input, result, words))
         .add(misfits_table(input, runs, result, words))
-        .charts(calibration_chart_titles(), folder, words);
+        .add(likelihood_table(input, runs, result, words))
+        .charts(titles_of(k_calibration_charts), folder, words);
     add_inputs(input, words, page);
     if (!facts.warnings.empty()) page.warnings(facts.warnings, words);
     if (runs.failed() > 0) page.heading("failures", words("Failed members")).add(failures_table(input, runs, words));

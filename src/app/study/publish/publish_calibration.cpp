@@ -10,7 +10,6 @@
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
 #include "app/study/pool/study_result.h"
-#include "app/study/publish/calibration_report.h"
 #include "app/study/statistics/cell_statistics.h"
 #include "app/study/statistics/sensitivity.h"
 #include "app/text/number_text.h"
@@ -93,37 +92,17 @@ Sentence short_number(double value, int digits = 3) {
     return numeral(number_text(value, digits));
 }
 
-/// What the likelihood of an event rests on.
-Sentence assumption(const CalibrationInput& input, const CalibrationRuns& runs, std::size_t event) {
-    const EventRuns& of_event = runs.events[event];
-    const std::string& name = input.spec().events[event].name;
-    const ObservedSpec& stated = input.own[event].base.spec.observed;
-    if (of_event.pieces == 0)
-        return worded(
-            "{1}: no error of the survey is stated (observed.perimeter-error), so the best agreement sets the scale, "
-            "with {2} independent pieces of information (objective.exponent).",
-            {name, short_number(input.spec().exponent)});
-    if (of_event.outline_pieces == 0)
-        return worded("{1}: the stated errors are those of {2} independent pieces of information.",
-                      {name, short_number(of_event.pieces)});
-    return worded(
-        "{1}: the outline has an error of {2} m, alike over {3} m, which makes {4} independent pieces of information; "
-        "with what else has a stated error {5}.",
-        {name, short_number(*stated.perimeter_error), short_number(of_event.error_length),
-         short_number(of_event.outline_pieces), short_number(of_event.pieces)});
-}
-
 /// The measures of an event that do not count, because others have a stated error.
-std::string uncounted(const CalibrationInput& input, const CalibrationRuns& runs, std::size_t event) {
+std::vector<std::string> uncounted(const CalibrationInput& input, const CalibrationRuns& runs, std::size_t event) {
     const ObservedSpec& stated = input.own[event].base.spec.observed;
-    std::string names;
+    std::vector<std::string> names;
     for (const Weight& one : runs.events[event].measures) {
         const Evidence needs = row_of(one.measure).needs;
         const bool counts = needs == Evidence::scar               ? stated.perimeter_error.has_value()
                             : needs == Evidence::deposit          ? false
                             : needs == Evidence::elevation_change ? stated.deposit_error.has_value()
                                                                   : has_stated_error(input.spec().events[event], needs);
-        if (!counts) names += (names.empty() ? "" : ", ") + std::string(row_of(one.measure).name);
+        if (!counts) names.emplace_back(row_of(one.measure).name);
     }
     return names;
 }
@@ -135,15 +114,14 @@ std::vector<RunOfStudy> runs_of(const CalibrationRuns& runs) {
     return all;
 }
 
-/// Fills in what was assumed, how the search ended, and what is doubtful.
+/// Fills in what the likelihood rests on, and what is doubtful.
 void judge(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationModel& model,
            CalibrationResult& result) {
     for (std::size_t e = 0; e < input.events(); ++e) {
         const std::string& name = input.spec().events[e].name;
-        result.assumed.push_back(assumption(input, runs, e));
-        if (const std::string names = uncounted(input, runs, e); runs.events[e].pieces > 0 && !names.empty())
-            result.assumed.push_back(worded("{1}: {2} has no stated error and does not count.", {name, names}));
-        if (const double factor = model.widening(e); factor > 1)
+        const bool is_stated = runs.events[e].pieces > 0;
+        result.uncounted.push_back(is_stated ? uncounted(input, runs, e) : std::vector<std::string>{});
+        if (const double factor = result.widening.emplace_back(model.widening(e)); factor > 1)
             result.doubts.push_back(worded(
                 "{1}: the best run is {2} times as far from the survey as its stated error allows. The model errs "
                 "too, and the error is taken {2} times as great.",
@@ -153,16 +131,8 @@ void judge(const CalibrationInput& input, const CalibrationRuns& runs, const Cal
                 "{1}: the emulator of the misfit predicts runs that it does not know with a Q2 of {2} only, less "
                 "than {3}. Do not rely on the intervals; raise study.samples or narrow [vary].",
                 {name, short_number(result.q2[e], 2), short_number(k_least_q2)}));
-        else
-            result.assumed.push_back(
-                worded("{1}: Q2 of the emulator of the misfit {2}.", {name, short_number(result.q2[e], 3)}));
     }
-    if (runs.has_settled())
-        result.assumed.push_back(worded(
-            "After {1} members the intervals had settled: the last two batches moved them by {2} and {3} % of the "
-            "distributions.",
-            {std::to_string(runs.size()), short_number(100 * runs.moves[0], 2), short_number(100 * runs.moves[1], 2)}));
-    else
+    if (!runs.has_settled())
         result.doubts.push_back(
             worded("The intervals had not settled when study.samples ({1}) were run: twice in a row they must move by "
                    "less than {2} % of the distributions. Raise study.samples.",
@@ -170,12 +140,6 @@ void judge(const CalibrationInput& input, const CalibrationRuns& runs, const Cal
 }
 
 }  // namespace
-
-double score_of(const std::vector<double>& misfits) {
-    double sum = 0;
-    for (const double misfit : misfits) sum += 1 - misfit;
-    return sum / static_cast<double>(misfits.size());
-}
 
 std::string column_of(const CalibrationSpec& calibration, const KeySample& key) {
     return key.event.empty() || calibration.events.size() == 1 ? key.key : key.key + " of " + key.event;
@@ -185,11 +149,7 @@ CalibrationResult calibration_result(const CalibrationInput& input, const Calibr
     const CalibrationModel model = model_of(input.spec(), runs);
     const PosteriorSample sample = model.sample();
     CalibrationResult result;
-    const auto best = model.best();
-    if (!best)
-        throw Error(ErrorKind::numerical, Problem{"no member finished for all events at once", input.reading.label, "",
-                                                  "", "Narrow the ranges in [vary], or raise study.samples"});
-    result.best = *best;
+    result.best = *model.best();  // run_calibration() ends without one
     result.q2 = model.q2();
     result.weights = model.member_weights(sample);
     result.effective = effective_count(result.weights);
@@ -219,6 +179,13 @@ CalibrationResult calibration_result(const CalibrationInput& input, const Calibr
 }
 
 namespace {
+
+/// Mean over the events of a member's scores; NaN if it failed at one.
+double score_of(const std::vector<double>& misfits) {
+    double sum = 0;
+    for (const double misfit : misfits) sum += 1 - misfit;
+    return sum / static_cast<double>(misfits.size());
+}
 
 /// The members as a table.
 struct Columns {
@@ -291,15 +258,9 @@ Columns columns_of(const CalibrationInput& input, const CalibrationRuns& runs, c
     return columns;
 }
 
-std::string line_of(const std::vector<std::string>& cells) {
-    std::string text;
-    for (std::size_t i = 0; i < cells.size(); ++i) text += (i == 0 ? "" : ",") + csv_cell(cells[i]);
-    return text + "\n";
-}
-
 std::string csv_of(const Columns& columns) {
-    std::string text = line_of(columns.names);
-    for (const auto& row : columns.rows) text += line_of(row);
+    std::string text = csv_line(columns.names);
+    for (const auto& row : columns.rows) text += csv_line(row);
     return text;
 }
 
@@ -389,6 +350,8 @@ std::string calibration_json(const CalibrationInput& input, const CalibrationRun
                    {"stated_errors", runs_of_event.pieces > 0},
                    {"pieces", runs_of_event.pieces > 0 ? runs_of_event.pieces : calibration.exponent},
                    {"q2", result.q2[e]},
+                   {"error_factor", result.widening[e]},
+                   {"uncounted", result.uncounted[e]},
                    {"fitted", json_of(result, result.events[e].fitted)}};
         if (runs_of_event.observed_runout > 0) event["observed_runout_m"] = runs_of_event.observed_runout;
         const MemberAgreement& best = runs_of_event.members[result.best].agreement;
@@ -401,7 +364,6 @@ std::string calibration_json(const CalibrationInput& input, const CalibrationRun
     }
     for (const double move : runs.moves) json["moves"].push_back(move);
     json["says"] = texts_of(result.sentences);
-    json["assumed"] = texts_of(result.assumed);
     json["doubts"] = texts_of(result.doubts);
     return json_text(json);
 }
@@ -454,8 +416,6 @@ void check_schemes(const CalibrationInput& input, const CalibrationRuns& runs, i
                     {i, result.weights[i], require_own_record(input.own[e], records.place(i), i).figures});
         const auto& check = result.scheme_checks.emplace_back(check_scheme(input.own[e], candidates, threads));
         if (!check) continue;
-        for (const Sentence& sentence : sentences_of(*check))
-            result.assumed.push_back(worded("{1}: {2}", {input.spec().events[e].name, sentence}));
         if (const auto doubt = warning_of(*check))
             result.doubts.push_back(worded("{1}: {2}", {input.spec().events[e].name, *doubt}));
     }
@@ -471,19 +431,9 @@ void write_best_scenes(const CalibrationInput& input, const CalibrationResult& r
 }
 
 void tell(const CalibrationInput& input, const CalibrationResult& result, RunLog& log) {
-    for (std::size_t e = 0; e < input.events(); ++e) {
-        const EventResult& event = result.events[e];
-        std::string text = input.spec().events[e].name + ": score " + number_text(event.fitted.best_score, 3) +
-                           " fitted (mean " + number_text(event.fitted.mean, 3) + ")";
-        if (input.events() > 1)
-            text += event.predicted.possible
-                        ? ", " + number_text(event.predicted.best_score, 3) + " predicted from the others (mean " +
-                              number_text(event.predicted.mean, 3) + ")"
-                        : ", not predicted: no member finished for the others";
-        log.info(text);
-    }
-    for (const auto* const told : {&result.sentences, &result.assumed})
-        for (const Sentence& sentence : *told) log.info(sentence.text());
+    for (std::size_t e = 0; e < input.events(); ++e)
+        log.info(input.spec().events[e].name + ": score " + number_text(result.events[e].fitted.best_score, 3) +
+                 ", Q2 " + number_text(result.q2[e], 3));
 }
 
 bool warn_of_failures(const CalibrationRuns& runs, std::size_t events, RunLog& log) {

@@ -41,17 +41,15 @@ struct CalibrationResult {
     std::vector<KeyPosterior> posteriors;  ///< by key
     std::vector<IndistinctPair> indistinct;
     std::vector<EventResult> events;
-    std::vector<Sentence> sentences;                        ///< what the surveys say
-    std::vector<Sentence> assumed;                          ///< the likelihood of each event, and how the search ended
+    std::vector<std::vector<std::string>> uncounted;        ///< by event: measures without a stated error beside others
+    std::vector<double> widening;                           ///< by event: CalibrationModel::widening()
+    std::vector<Sentence> sentences;                        ///< the keys that the surveys do not tell apart
     std::vector<Sentence> doubts;                           ///< why the intervals may be wrong
     std::vector<std::optional<SchemeCheck>> scheme_checks;  ///< by event
 };
 
 /// Throws Error(numerical) if no member finished for all events.
 CalibrationResult calibration_result(const CalibrationInput& input, const CalibrationRuns& runs);
-
-/// Mean over the events of a member's scores; NaN if it failed at one.
-double score_of(const std::vector<double>& misfits);
 
 /// Returns the name of a key in tables: with its event if others have it not.
 std::string column_of(const CalibrationSpec& calibration, const KeySample& key);
@@ -72,5 +70,22 @@ void load_calibration_drawing(const CalibrationInput& input, Loading loading);
 /// Error(environment), and Error(numerical) if no member finished for all events.
 StudyOutcome publish_calibration(const CalibrationInput& input, const CalibrationRuns& runs, int threads,
                                  const Stopwatch& since_start, const ResultDirectory& directory, RunLog& log);
+
+/// Writes posterior_EVENT.tif for each event: the probability under the posterior that the maximum depth exceeds the
+/// threshold of the survey, with its margin as second band. The map of it shows the surveyed outline and the
+/// trace of the best member. A map that could not be drawn is a warning. Throws Error(environment).
+void publish_calibration_maps(const CalibrationInput& input, const CalibrationRuns& runs,
+                              const CalibrationResult& result, const Troubles& troubles,
+                              const ResultDirectory& directory, RunLog& log);
+
+/// Writes report.html from the tables and the charts already in the directory. Throws Error(environment).
+void write_calibration_report(const CalibrationInput& input, const CalibrationRuns& runs,
+                              const CalibrationResult& result, const CalibrationFacts& facts,
+                              const ResultDirectory& directory);
+
+/// Draws the chart of a calibration, if the scene asks for any: the distribution of each key before and after. One that
+/// could not be drawn is a warning.
+void draw_calibration_charts(const CalibrationInput& input, const CalibrationResult& result,
+                             const ResultDirectory& directory, RunLog& log);
 
 }  // namespace frana::app::study

@@ -36,17 +36,15 @@
 namespace frana::app::study {
 namespace {
 
-/// The finished members, of a region those of one scenario.
+/// The finished members of a region, or those of one scenario.
 std::vector<UnionMember> members_of(const StudyInput& input, const StudyResult& result,
                                     const std::optional<std::string>& scenario) {
     std::vector<UnionMember> members;
     for (std::size_t i = 0; i < result.finished_at.size(); ++i) {
         UnionMember member{result.members[result.finished_at[i]].member, result.finished.records[i], {}};
-        if (!input.slopes.empty()) {
-            const Slope& slope = input.slopes[member.number];
-            if (scenario && slope.scenario != *scenario) continue;
-            member.return_period = slope.return_period;
-        }
+        const Slope& slope = input.slopes[member.number];
+        if (scenario && slope.scenario != *scenario) continue;
+        member.return_period = slope.return_period;
         members.push_back(std::move(member));
     }
     return members;
@@ -54,16 +52,9 @@ std::vector<UnionMember> members_of(const StudyInput& input, const StudyResult& 
 
 std::vector<HazardArea> write_degree(const StudyInput& input, const Raster& degree, const ResultDirectory& directory) {
     const auto scheme = hazard_scheme_of(input.base.spec);
-    const DegreeMatrix& matrix = input.reading.study.region->degrees;
-    const auto of_scheme =
-        std::find_if(scheme->matrices.begin(), scheme->matrices.end(), [&](const ProcessMatrix& one) {
-            return matrix.degrees == one.degrees.degrees && matrix.periods == one.degrees.periods;
-        });
-    const std::string source = of_scheme != scheme->matrices.end()
-                                   ? of_scheme->source
-                                   : "[degree], " + fs::path(input.reading.study.file).filename().string();
-    ClassMap map{"hazard_degree", "Degree of hazard",  degree_classes(matrix),   *scheme,
-                 source,          k_degree_zones_file, intensity_limits(*scheme)};
+    const ProcessMatrix& matrix = *scheme->matrix_of(input.base.spec.hazard.process);
+    ClassMap map{"hazard_degree", "Degree of hazard",  degree_classes(matrix.degrees), *scheme,
+                 matrix.source,   k_degree_zones_file, intensity_limits(*scheme)};
     return publish_classes(degree, map, provenance(input.base), words_of(input.base.spec), directory);
 }
 
@@ -91,66 +82,56 @@ void read_ground_under(const Raster& depth, Raster& terrain) {
         [&](std::size_t cell, double) { static_cast<void>(std::as_const(terrain).values[cell]); });
 }
 
-/// Names of the rasters of a union.
-struct UnionNames {
-    std::string depth, velocity, pressure, arrival, hits, worst;
-};
-
 /// Writes the rasters one after the other, so that memory contains few at once. Returns the depth.
+/// @param scenario in names of files; empty: all slopes
 Raster write_union(const StudyInput& input, const std::vector<UnionMember>& members, const GridSpec& grid,
-                   const UnionNames& names, const ResultDirectory& directory) {
+                   const std::string& scenario, const ResultDirectory& directory) {
     const MapWriter writer(input.base, directory);
+    const std::string ending = scenario.empty() ? "" : "_" + scenario, count = scenario.empty() ? "" : "scenario_",
+                      value = scenario.empty() ? "union_" : "scenario_";
     Raster depth;
     {
         DepthUnion maps = depth_union(members, grid);
-        writer.write(names.depth, maps.depth);
-        writer.write(names.hits, maps.hits);
-        writer.write(names.worst, maps.worst);
+        writer.write(value + "max_depth" + ending, maps.depth);
+        writer.write(count + "hit_count" + ending, maps.hits);
+        writer.write(count + "worst_source" + ending, maps.worst);
         depth = std::move(maps.depth);
     }
-    writer.write(names.velocity, greatest_of(members, Quantity::velocity, grid));
-    writer.write(names.pressure, greatest_of(members, Quantity::pressure, grid));
-    writer.write(names.arrival, earliest_arrival(members, grid));
+    writer.write(value + "max_velocity" + ending, greatest_of(members, Quantity::velocity, grid));
+    writer.write(value + "max_pressure" + ending, greatest_of(members, Quantity::pressure, grid));
+    writer.write(value + "arrival_time" + ending, earliest_arrival(members, grid));
     return depth;
 }
 
 /// @param name of a scenario in names of files
 void write_scenario(const StudyInput& input, const std::vector<UnionMember>& members, const GridSpec& grid,
                     const std::string& name, const ResultDirectory& directory) {
-    const std::string of_scenario = "scenario_";
-    write_union(
-        input, members, grid,
-        {of_scenario + "max_depth_" + name, of_scenario + "max_velocity_" + name, of_scenario + "max_pressure_" + name,
-         of_scenario + "arrival_time_" + name, of_scenario + "hit_count_" + name, of_scenario + "worst_source_" + name},
-        directory);
+    write_union(input, members, grid, name, directory);
     const auto scheme = hazard_scheme_of(input.base.spec);
     if (!scheme) return;
-    ClassMap map{of_scenario + "intensity_" + name, scheme->heading, scheme->classes, *scheme, scheme->source, "",
+    ClassMap map{"scenario_intensity_" + name, scheme->heading, scheme->classes, *scheme, scheme->source, "",
                  scheme->minimum_labels()};
     publish_classes(greatest_of(members, Quantity::intensity, grid), map, provenance(input.base),
                     words_of(input.base.spec), directory);
 }
 
-/// Writes the terrain and the rasters of a study with a polygon for each member: the union of all, how many reach each
-/// cell, which is the worst; of a region also those of each scenario, and the degree of hazard where it has return
-/// periods. Adds the area of the union and those of the degrees to the facts.
+/// Writes the terrain and the rasters of a region: the union of all slopes, how many reach each cell, which is the
+/// worst; the same of each scenario, and the degree of hazard where it has return periods. Adds the area of the union
+/// and those of the degrees to the facts.
 void publish_unions(StudyInput& input, const StudyResult& result, const ResultDirectory& directory, StudyFacts& facts) {
-    const auto& region = input.reading.study.region;
+    const RegionSpec& region = *input.reading.study.region;
     const std::vector<UnionMember> all = members_of(input, result, std::nullopt);
     {
-        const Raster depth = write_union(input, all, result.grid,
-                                         {"union_max_depth", "union_max_velocity", "union_max_pressure",
-                                          "union_arrival_time", "hit_count", "worst_source"},
-                                         directory);
+        const Raster depth = write_union(input, all, result.grid, "", directory);
         read_ground_under(depth, input.base.scene.terrain);
         publish_study_ground(input, directory);
         write_reached(input, depth, directory);
         facts.reached_threshold = input.base.spec.output.trace_threshold;
         facts.reached_m2 = {covered_area(depth, facts.reached_threshold)};
     }
-    if (region && region->return_period)
-        facts.degrees = write_degree(input, worst_degree(all, result.grid, region->degrees), directory);
-    if (!region || !region->scenario) return;
+    if (region.return_period)
+        facts.degrees = write_degree(input, worst_degree(all, result.grid, region.degrees), directory);
+    if (!region.scenario) return;
     std::map<std::string, bool> scenarios;
     for (const UnionMember& member : all) scenarios[input.slopes[member.number].scenario] = true;
     std::vector<std::string> names;
@@ -158,32 +139,6 @@ void publish_unions(StudyInput& input, const StudyResult& result, const ResultDi
     const std::vector<std::string> stems = file_stems(names);
     for (std::size_t i = 0; i < names.size(); ++i)
         write_scenario(input, members_of(input, result, names[i]), result.grid, stems[i], directory);
-}
-
-/// Writes a region's table of slopes as a layer: every release polygon, also of those that failed, with what its
-/// attributes say, its status, its figures, and the outline of what it reaches.
-/// @param traces the outlines of finished members
-void write_slopes(const StudyInput& input, const StudyResult& result, const gis::OutlineLayer& traces,
-                  const std::string& path) {
-    gis::OutlineLayer slopes{"slopes", {}};
-    for (const MemberResult& member : result.members) {
-        const Slope& slope = input.slopes[member.member];
-        PolygonFeature feature;
-        feature.parts = slope.outline;
-        feature.numbers["member"] = static_cast<double>(member.member);
-        if (slope.return_period) feature.numbers["return_period"] = *slope.return_period;
-        feature.texts = {{"name", slope.name},
-                         {"group", slope.group},
-                         {"scenario", slope.scenario},
-                         {"status", member.failure.empty() ? "finished" : "failed"},
-                         {"reason", member.failure}};
-        add_end(member.end, feature.numbers, feature.texts);
-        for (const Figure& figure : member.figures) feature.numbers[figure.key] = figure.value;
-        for (std::size_t k = 0; k < input.table.keys.size(); ++k)
-            feature.texts[input.table.keys[k]] = input.table.values[member.member][k];
-        slopes.features.push_back(std::move(feature));
-    }
-    write_result_outlines(path, result.grid.crs_wkt, {slopes, traces}, words_of(input.base.spec));
 }
 
 namespace fs = std::filesystem;
@@ -221,34 +176,48 @@ void choose_grid(StudyInput& input, StudyResult& result, RunLog& log) {
              extent_text(result.grid.bounds()));
 }
 
-/// Outlines of all members, each in a raster no larger than what was reached.
+/// A member with its values and figures as attributes.
+PolygonFeature member_feature(const StudyInput& input, const MemberResult& member) {
+    PolygonFeature feature;
+    feature.numbers["member"] = static_cast<double>(member.member);
+    feature.numbers["weight"] = input.table.weights[member.member];
+    add_end(member.end, feature.numbers, feature.texts);
+    for (const Figure& figure : member.figures) feature.numbers[figure.key] = figure.value;
+    for (std::size_t k = 0; k < input.table.keys.size(); ++k)
+        feature.texts[input.table.keys[k]] = input.table.values[member.member][k];
+    if (input.slopes.empty()) return feature;
+    const Slope& slope = input.slopes[member.member];
+    feature.texts.insert({{"name", slope.name}, {"group", slope.group}, {"scenario", slope.scenario}});
+    return feature;
+}
+
+/// Writes the outlines of what finished members reach, each in a raster no larger than that; of a region also every
+/// release polygon, with the status of its slope.
 void write_member_outlines(const StudyInput& input, const StudyResult& result, const std::string& path) {
-    gis::OutlineLayer layer{"members", {}};
+    gis::OutlineLayer traces{"members", {}}, slopes{"slopes", {}};
     for (std::size_t i = 0; i < result.finished_at.size(); ++i) {
-        const MemberResult& member = result.members[result.finished_at[i]];
         const MemberRecord record = require_record(result.finished.records[i]);
         const CellWindow window = record.reached(result.grid);
         if (window.rows == 0) continue;
         const Raster depth = record.raster(Quantity::depth, part_of(result.grid, window));
-        PolygonFeature feature;
+        PolygonFeature feature = member_feature(input, result.members[result.finished_at[i]]);
         feature.parts = gis::polygonise(trace_mask(depth, input.base.spec.output.trace_threshold));
-        if (feature.parts.empty()) continue;
-        feature.numbers["member"] = static_cast<double>(member.member);
-        feature.numbers["weight"] = input.table.weights[member.member];
-        add_end(member.end, feature.numbers, feature.texts);
-        for (const Figure& figure : member.figures) feature.numbers[figure.key] = figure.value;
-        for (std::size_t k = 0; k < input.table.keys.size(); ++k)
-            feature.texts[input.table.keys[k]] = input.table.values[member.member][k];
-        if (!input.slopes.empty()) {
-            const Slope& slope = input.slopes[member.member];
-            feature.texts.insert({{"name", slope.name}, {"group", slope.group}, {"scenario", slope.scenario}});
-        }
-        layer.features.push_back(std::move(feature));
+        if (!feature.parts.empty()) traces.features.push_back(std::move(feature));
     }
-    if (input.slopes.empty())
-        write_result_outlines(path, result.grid.crs_wkt, {layer}, words_of(input.base.spec));
-    else
-        write_slopes(input, result, layer, path);
+    for (std::size_t i = 0; i < result.members.size() && !input.slopes.empty(); ++i) {
+        const MemberResult& member = result.members[i];
+        const Slope& slope = input.slopes[member.member];
+        PolygonFeature feature = member_feature(input, member);
+        feature.parts = slope.outline;
+        if (slope.return_period) feature.numbers["return_period"] = *slope.return_period;
+        feature.texts["status"] = member.failure.empty() ? "finished" : "failed";
+        feature.texts["reason"] = member.failure;
+        slopes.features.push_back(std::move(feature));
+    }
+    std::vector<gis::OutlineLayer> layers;
+    if (!input.slopes.empty()) layers.push_back(std::move(slopes));
+    layers.push_back(std::move(traces));
+    write_result_outlines(path, result.grid.crs_wkt, layers, words_of(input.base.spec));
 }
 
 bool is_kept(Keep keep, const MemberResult& member) {
@@ -309,20 +278,6 @@ void warn_of_error(const StudyInput& input, const StudyResult& result, const Stu
             worded("study.until = {1} is not reached with all members: raise study.samples", {shortest_text(*until)}));
 }
 
-void tell_sensitivities(const StudyInput& input, const std::vector<FigureSensitivity>& figures, RunLog& log) {
-    const bool is_untold = std::any_of(figures.begin(), figures.end(), [](const FigureSensitivity& figure) {
-        return figure.q2 < k_least_q2 && !figure.keys.front().effect;
-    });
-    if (is_untold && input.table.keys.size() > k_many_keys) log.warn(k_screening_advice);
-    std::string text;
-    for (const FigureSensitivity& figure : figures)
-        if (!std::isnan(figure.q2))
-            text += (text.empty() ? "" : ", ") + figure.figure.key + " " + number_text(figure.q2, 2);
-    if (!text.empty())
-        log.note("Q2 of polynomials of the keys (fractions of the variance from " + number_text(k_least_q2, 2) +
-                 " on): " + text);
-}
-
 /// The probabilities against the scene's surveyed outline, where it has one.
 struct StudyComparison {
     ProbabilityMap map;
@@ -331,7 +286,7 @@ struct StudyComparison {
 
 /// Writes the scores. A survey that cannot be compared does not fail the study.
 std::optional<StudyComparison> compare_study(const StudyInput& input, const ResultDirectory& directory, RunLog& log) {
-    if (!input.base.scar || input.reading.study.per_polygon()) return std::nullopt;
+    if (!input.base.scar || input.reading.study.region) return std::nullopt;
     Survey survey;
     survey.scar = parts_of(input.base.scar->features);
     survey.scar_label = input.base.spec.observed.perimeter.value_or("");
@@ -398,17 +353,14 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
             log.warn_first({*doubt});
             input.base.doubts.push_back(*doubt);
         }
-        if (input.reading.study.per_polygon()) {
+        if (is_region) {
             publish_unions(input, result, directory, facts);
         } else {
             publish_study_ground(input, directory);
             figures = sensitivities(input, result);
-            tell_sensitivities(input, figures, log);
             publish_study_maps(input, result, directory, facts);
             facts.rare_place = rare_place_of(input, result);
             warn_of_error(input, result, facts, log);
-            facts.median = median_member(result);
-            if (facts.median) film_member(input, result, *facts.median, directory, log);
         }
         write_member_outlines(input, result, directory.path(k_member_outlines));
         facts.exposure = publish_study_exposure(input, result, map, directory);
@@ -416,8 +368,7 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
     }
     write_text_file(directory.path(k_inputs_file), recorded_inputs(inputs_of(input), directory.target()));
     write_text_file(directory.path(k_member_table), members_csv(input, result));
-    if (!input.reading.study.per_polygon())
-        write_text_file(directory.path(k_sensitivity_table), sensitivity_csv(input, figures));
+    if (!is_region) write_text_file(directory.path(k_sensitivity_table), sensitivity_csv(input, figures));
     write_kept_members(input, result, directory);
     // Maps show what the summary says; what drawing adds to it comes at the end.
     write_text_file(directory.path(k_summary_file), study_summary_json(input, result, facts));

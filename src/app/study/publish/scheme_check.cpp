@@ -103,7 +103,7 @@ std::optional<SchemeCheck> check_scheme(const StudyInput& input, const std::vect
 
 namespace {
 
-Sentence percent(double fraction) {
+Sentence signed_percent(double fraction) {
     if (!std::isfinite(fraction)) return Sentence("-");
     const std::string text = number_text(100 * fraction, 2);
     return numeral((fraction > 0 ? "+" : "") + text);
@@ -122,21 +122,25 @@ std::optional<Sentence> warning_of(const SchemeCheck& check) {
                   {numeral(number_text(100 * most, 2))});
 }
 
-std::vector<Sentence> sentences_of(const SchemeCheck& check) {
-    std::vector<Sentence> all{worded("Scheme of the runs: {1}.", {check.scheme})};
-    if (!check.refusal.empty()) all.push_back(worded("Not checked by scheme {1}: {2}.", {check.other, check.refusal}));
+std::vector<std::pair<Sentence, Sentence>> rows_of(const SchemeCheck& check) {
+    std::vector<std::pair<Sentence, Sentence>> rows{{worded("Scheme of the runs"), check.scheme}};
+    if (!check.refusal.empty()) rows.emplace_back(worded("Not checked by scheme {1}", {check.other}), check.refusal);
     for (const SchemeCheck::Member& one : check.members) {
-        const Sentence member = numeral(std::to_string(one.member));
-        const char* const told =
-            one.is_farthest
-                ? worded("Farthest member {1} by scheme {2}: run-out {3} %, area {4} %, greatest depth {5} %.")
-                : worded("Median member {1} by scheme {2}: run-out {3} %, area {4} %, greatest depth {5} %.");
-        if (!one.failure.empty())
-            all.push_back(worded("Member {1} by scheme {2} failed: {3}.", {member, check.other, one.failure}));
-        else
-            all.push_back(worded(told, {member, check.other, percent(one.difference(0)), percent(one.difference(1)),
-                                        percent(one.difference(2))}));
+        const Sentence name = worded(
+            one.is_farthest ? worded("Farthest member {1} by scheme {2}") : worded("Median member {1} by scheme {2}"),
+            {numeral(std::to_string(one.member)), check.other});
+        rows.emplace_back(name, one.failure.empty()
+                                    ? worded("run-out {1} %, area {2} %, greatest depth {3} %",
+                                             {signed_percent(one.difference(0)), signed_percent(one.difference(1)),
+                                              signed_percent(one.difference(2))})
+                                    : worded("failed: {1}", {one.failure}));
     }
+    return rows;
+}
+
+std::vector<Sentence> sentences_of(const SchemeCheck& check) {
+    std::vector<Sentence> all;
+    for (const auto& [name, value] : rows_of(check)) all.push_back(worded("{1}: {2}", {name, value}));
     return all;
 }
 

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/study/plan/study_input.h"
@@ -49,7 +50,9 @@ std::optional<Scheme> common_scheme(const StudyInput& input);
 std::optional<SchemeCheck> check_scheme(const StudyInput& input, const std::vector<CheckCandidate>& finished,
                                         int threads);
 
-/// Returns what the check says, one sentence for each run; the first names the members' scheme.
+/// Returns what the check says, a name and its value for each run; the first is the members' scheme.
+std::vector<std::pair<Sentence, Sentence>> rows_of(const SchemeCheck& check);
+/// The same as sentences.
 std::vector<Sentence> sentences_of(const SchemeCheck& check);
 /// The warning where members by finite volumes reach elsewhere than by particles; none for members by particles.
 std::optional<Sentence> warning_of(const SchemeCheck& check);

@@ -52,21 +52,6 @@ std::string axis_label(const Figure& figure, const Words& words) {
     return with_unit(figure_title(figure, words), figure.unit);
 }
 
-/// Fraction of the weight of members with more than each value: a staircase.
-std::vector<Point> exceedance_curve(const std::vector<double>& values, const std::vector<double>& weights) {
-    std::vector<std::size_t> order(values.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
-    std::vector<Point> points;
-    double above = 1;
-    for (const std::size_t i : order) {
-        points.push_back({values[i], std::max(0.0, above)});
-        above -= weights[i];
-        points.push_back({values[i], std::max(0.0, above)});
-    }
-    return points;
-}
-
 std::optional<render::Chart> exceedance(const ChartData& data, const std::string& title, const MapSource& source) {
     const StudyResult& result = data.result;
     if (result.figures().empty()) return std::nullopt;
@@ -91,31 +76,26 @@ std::optional<render::Chart> sensitivity(const ChartData& data, const std::strin
         std::any_of(data.sensitivities.begin(), data.sensitivities.end(), [](const FigureSensitivity& figure) {
             return std::any_of(figure.keys.begin(), figure.keys.end(), [](const auto& one) { return one.total; });
         });
-    const bool by_effects = data.sensitivities.front().keys.front().effect.has_value();
     render::Chart chart = chart_sheet(
         source, title,
-        words(by_effects   ? worded("bar: mean change when the key alone moves by half of its distribution (mu* of "
-                                      "Morris), thin line: its interval of 95 %")
-              : by_indices ? worded("bar: fraction of the variance with other keys (total Sobol' index), circle: alone")
-                           : worded("bar: rank correlation with the figure, thin line: its interval of 95 %")),
+        words(by_indices ? worded("bar: fraction of the variance with other keys (total Sobol' index), circle: alone")
+                         : worded("bar: rank correlation with the figure, thin line: its interval of 95 %")),
         "sensitivity.csv", std::min(k_most_panels, data.sensitivities.size()));
     for (const FigureSensitivity& figure : data.sensitivities) {
         if (chart.panels.size() == k_most_panels) break;
-        render::ChartPanel panel{
-            figure_title(figure.figure, words),
-            by_effects ? axis_label(figure.figure, words)
-                       : words(by_indices ? worded("fraction of the variance [-]") : worded("correlation [-]")),
-            "",
-            {}};
+        render::ChartPanel panel{figure_title(figure.figure, words),
+                                 words(by_indices ? worded("fraction of the variance [-]") : worded("correlation [-]")),
+                                 "",
+                                 {}};
         panel.note =
             words(figure.q2 < k_least_q2 ? worded("the members do not tell it") : worded("the figure does not vary"));
         const double count = static_cast<double>(figure.keys.size());
         panel.has_rows = true;
         panel.on_y = {0.5, count + 0.5};
-        if (!by_effects) panel.on_x = {by_indices ? 0 : -1.05, 1.05};
+        panel.on_x = {by_indices ? 0 : -1.05, 1.05};
         for (std::size_t k = 0; k < figure.keys.size(); ++k) {
             const KeySensitivity& one = figure.keys[k];
-            const auto& value = by_effects ? one.effect : by_indices ? one.total : one.rank_correlation;
+            const auto& value = by_indices ? one.total : one.rank_correlation;
             if (!value) continue;
             const double y = count - static_cast<double>(k);
             const Rgb colour = k_colours[k % std::size(k_colours)];
@@ -123,7 +103,7 @@ std::optional<render::Chart> sensitivity(const ChartData& data, const std::strin
             panel.series.push_back(std::move(bar));
             if (std::isfinite(value->low))
                 panel.series.push_back({"", {20, 20, 20}, {{value->low, y}, {value->high, y}}, 1.6});
-            if (by_effects || !by_indices) continue;
+            if (!by_indices) continue;
             render::ChartSeries first{"", {20, 20, 20}, {{one.first_order->value, y}}, 1};
             first.marker = render::Marker::circle;
             panel.series.push_back(std::move(first));
@@ -133,36 +113,27 @@ std::optional<render::Chart> sensitivity(const ChartData& data, const std::strin
     return chart;
 }
 
-std::optional<render::Chart> convergence(const ChartData& data, const std::string& title, const MapSource& source) {
-    const std::vector<ErrorAt> errors = convergence_of(data.input, data.result);
-    if (errors.empty()) return std::nullopt;
-    const Words& words = source.style.words;
-    render::Chart chart = chart_sheet(source, title, words("standard error of the probabilities of depth over the map"),
-                                      words("records of the members"), 1);
-    render::ChartPanel panel{words("Standard error"), words("members"), words("standard error [-]"), {}};
-    panel.x = panel.y = render::Scale::logarithmic;
-    render::ChartSeries largest{words("largest"), k_colours[1], {}},
-        mean{words("mean where it is not 0"), k_colours[0], {}};
-    mean.stroke = render::Stroke::dashed;
-    largest.marker = render::Marker::circle;
-    mean.marker = render::Marker::square;
-    for (const ErrorAt& at : errors) {
-        largest.points.push_back({static_cast<double>(at.members), at.error.largest()});
-        mean.points.push_back({static_cast<double>(at.members), at.error.mean()});
-    }
-    panel.series = {largest, mean};
-    chart.panels.push_back(std::move(panel));
-    return chart;
-}
-
 /// Every chart of a study, in the order of the page.
 constexpr ChartRow<ChartData> k_charts[] = {
     {{"exceedance", worded("exceedance")}, exceedance},
     {{"sensitivity", worded("sensitivity of the results")}, sensitivity},
-    {{"convergence", worded("convergence of the probabilities")}, convergence},
 };
 
 }  // namespace
+
+std::vector<Point> exceedance_curve(const std::vector<double>& values, const std::vector<double>& weights) {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+    std::vector<Point> points;
+    double above = 1;
+    for (const std::size_t i : order) {
+        points.push_back({values[i], std::max(0.0, above)});
+        above -= weights[i];
+        points.push_back({values[i], std::max(0.0, above)});
+    }
+    return points;
+}
 
 std::string figure_title(const Figure& figure, const Words& words) {
     for (const char* of_a_place : {worded("greatest depth at gauge {1}"), worded("greatest speed at gauge {1}"),
@@ -171,21 +142,6 @@ std::string figure_title(const Figure& figure, const Words& words) {
         if (figure.title.starts_with(before)) return words(of_a_place, {figure.title.substr(before.size())});
     }
     return words(figure.title);
-}
-
-std::vector<ErrorAt> convergence_of(const StudyInput& input, const StudyResult& result) {
-    constexpr std::size_t k_first = 8;
-    std::vector<ErrorAt> all;
-    if (!input.table.parts.empty()) return all;  // its members are not exchangeable
-    const FinishedMembers& members = result.finished;
-    for (std::size_t count = k_first;; count *= 2) {
-        const std::size_t some = std::min(count, members.size());
-        if (some < 2) break;
-        all.push_back({some, error_of_first(members, some, Quantity::depth, result.grid,
-                                            input.base.spec.output.depth_thresholds)});
-        if (some == members.size()) break;
-    }
-    return all;
 }
 
 std::vector<ChartTitle> study_charts() {
@@ -221,7 +177,7 @@ class Builder {
             if (std::isfinite(first)) values_[feature].arrival = static_cast<double>(first);
         });
         std::vector<ExposureRow> rows = exposure_rows(layer_, values_, map);
-        input_.reading.study.per_polygon() ? add_sources(rows) : add_probabilities(rows);
+        input_.reading.study.region ? add_sources(rows) : add_probabilities(rows);
         return rows;
     }
 
@@ -276,8 +232,7 @@ class Builder {
                 row.numbers.emplace_back("sources_upper", row.is_on_map() ? static_cast<double>(most) : k_no_data);
             }
             row.numbers.emplace_back("worst_source", row.is_reached() ? static_cast<double>(member) : k_no_data);
-            if (!input_.slopes.empty())
-                row.texts.emplace_back("worst_name", row.is_reached() ? input_.slopes[member].name : "");
+            row.texts.emplace_back("worst_name", row.is_reached() ? input_.slopes[member].name : "");
         });
     }
 
@@ -305,7 +260,7 @@ void warn_of_unknown_exposure(const StudyInput& input, RunLog& log) {
 }
 
 ReachedBy exposure_reached_by(const StudyInput& input) {
-    return input.reading.study.per_polygon() ? ReachedBy::any_slope : ReachedBy::any_run;
+    return input.reading.study.region ? ReachedBy::any_slope : ReachedBy::any_run;
 }
 
 std::optional<ExposureTotals> publish_study_exposure(const StudyInput& input, const StudyResult& result,
@@ -320,9 +275,9 @@ std::optional<ExposureTotals> publish_study_exposure(const StudyInput& input, co
 
 namespace {
 
-/// Quantiles and moments, of depth and velocity alone.
-void write_distribution(const StudyResult& result, const QuantityMaps& maps, Quantity quantity, const std::string& name,
-                        const MapWriter& writer) {
+/// Of depth and velocity alone.
+void write_quantiles(const StudyResult& result, const QuantityMaps& maps, Quantity quantity, const std::string& name,
+                     const MapWriter& writer) {
     std::vector<std::optional<Raster>> upper;
     if (result.open.any()) upper = quantile_bounds(result.open, quantity, result.grid);
     for (std::size_t q = 0; q < maps.quantile.size(); ++q) {
@@ -332,8 +287,6 @@ void write_distribution(const StudyResult& result, const QuantityMaps& maps, Qua
         else
             writer.write(file, maps.quantile[q]);
     }
-    writer.write("mean_max_" + name, maps.mean);
-    writer.write("deviation_max_" + name, maps.deviation);
 }
 
 /// Of the cells with at least this probability.
@@ -367,14 +320,6 @@ void write_probability_outlines(const StudyInput& input, const Raster& probabili
         layers.push_back(std::move(layer));
     }
     write_result_outlines(path, probability.grid.crs_wkt, layers, words_of(input.base.spec));
-}
-
-/// Those that are handed on; `frana render` draws the others.
-bool is_drawn_at_once(const std::string& name) {
-    return name.starts_with("probability_") || name.starts_with("quantile_max_depth_") ||
-           name.starts_with("sensitivity_") || name.starts_with("union_max_") || name == "hit_count" ||
-           name.starts_with("scenario_max_depth_") || name.starts_with("scenario_intensity_") ||
-           name == "hazard_degree";
 }
 
 }  // namespace
@@ -419,7 +364,7 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
             writer.write_probability(events.rasters[t], maps.probability[t], maps.margin[t],
                                      bounds.empty() ? nullptr : &bounds[t]);
         if (events.quantity == Quantity::depth) {
-            write_distribution(result, maps, events.quantity, "depth", writer);
+            write_quantiles(result, maps, events.quantity, "depth", writer);
             writer.write("hit_count", maps.hits);
             if (!maps.probability.empty()) {
                 write_probability_outlines(input, maps.probability.front(), directory.path(k_outlines_file));
@@ -434,17 +379,16 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
                                          area_at_least(maps.probability.front(), 0.5, maps.margin.front(), 1)};
             }
         }
-        if (events.quantity == Quantity::velocity)
-            write_distribution(result, maps, events.quantity, "velocity", writer);
+        if (events.quantity == Quantity::velocity) write_quantiles(result, maps, events.quantity, "velocity", writer);
         facts.error.add(maps.errors);
     }
     const QuantityMaps arrival = quantity_maps(result.finished, Quantity::arrival, result.grid, {});
     for (std::size_t q = 0; q < arrival.quantile.size(); ++q)
         writer.write(std::string("quantile_arrival_time_") + k_study_quantiles[q].name, arrival.quantile[q]);
-    if (!result.equal_weights() || result.design_at.size() < 2 || result.points.are_dependent) return;
+    if (!result.equal_weights() || result.finished_at.size() < 2 || result.points.are_dependent) return;
     const double threshold = output.depth_thresholds.empty() ? 0 : output.depth_thresholds.front();
     const std::vector<Raster> fractions =
-        outline_fractions(result.design, result.points, Quantity::depth, threshold, result.grid);
+        outline_fractions(result.finished, result.points, Quantity::depth, threshold, result.grid);
     for (std::size_t k = 0; k < fractions.size(); ++k)
         if (!is_field_of_error(input, k)) writer.write("sensitivity_" + input.table.keys[k], fractions[k]);
 }
@@ -467,9 +411,7 @@ void write_member(const StudyInput& input, std::size_t member, const MemberRecor
 }
 
 void load_study_drawing(const StudyInput& input, Loading loading) {
-    const OutputSpec& output = input.base.spec.output;
-    const bool films = output.animation && !input.reading.study.per_polygon();
-    load_drawing(films || output.maps.front() != "off", films, loading);
+    load_drawing(input.base.spec.output.maps.front() != "off", false, loading);
 }
 
 void draw_study(const StudyInput& input, const StudyResult& result, const std::vector<FigureSensitivity>& figures,
@@ -488,11 +430,11 @@ void draw_study(const StudyInput& input, const StudyResult& result, const std::v
         }
         make_drawing_folder(written.path("maps"));
         for (const std::string& name : written.drawable()) {
-            if (!is_drawn_at_once(name)) continue;
+            if (const ResultRaster* const row = find_result_raster(name); row == nullptr || !row->with_study) continue;
             is_drawn("maps/" + name, log,
                      [&] { drawer.draw(written.map_layer(name), false, written.path("maps/" + name)); });
         }
-        if (!output.charts || input.reading.study.per_polygon()) return;  // of sources there is no distribution
+        if (!output.charts || input.reading.study.region) return;  // of sources there is no distribution
         make_drawing_folder(written.path("charts"));
         draw_chart_rows(k_charts, ChartData{input, result, figures}, source, written.directory(), output.report, log);
     });

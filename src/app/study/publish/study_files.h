@@ -19,14 +19,8 @@
 
 namespace frana::app::study {
 
-/// One point of the convergence of the probabilities.
-struct ErrorAt {
-    std::size_t members = 0;
-    ErrorSummary error;
-};
-
-/// Returns the standard errors of the probabilities of depth after some numbers of members, up to all of them.
-std::vector<ErrorAt> convergence_of(const StudyInput& input, const StudyResult& result);
+/// Returns the fraction of the weight of members with more than each value: a staircase.
+std::vector<Point> exceedance_curve(const std::vector<double>& values, const std::vector<double>& weights);
 
 /// Returns the title of a figure of a study in a language: "run-out".
 std::string figure_title(const Figure& figure, const Words& words);
@@ -65,8 +59,7 @@ std::vector<gis::OutlineLayer> known_outlines(const StudyInput& input);
 void write_member(const StudyInput& input, std::size_t member, const MemberRecord& record, const GridSpec& grid,
                   const ResultDirectory& directory, const std::string& folder);
 
-/// Loads what draw_study() and film_member() draw with, before the members run. Throws Error(environment) if it is
-/// missing.
+/// Loads what draw_study() draws with, before the members run. Throws Error(environment) if it is missing.
 void load_study_drawing(const StudyInput& input, Loading loading);
 
 /// Draws the maps and charts that the scene's output.maps and output.charts ask for, with a warning of one that could

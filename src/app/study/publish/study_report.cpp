@@ -31,28 +31,7 @@
 namespace frana::app::study {
 namespace {
 
-constexpr std::size_t k_keys = 8, k_names = 3, k_name_letters = 40, k_slopes = 20;
-
-/// A figure of the runs: 5, 50 and 95 % do not exceed these.
-struct Spread {
-    double low = 0, median = 0, high = 0;
-    [[nodiscard]] bool is_one_value() const { return high - low < 1e-6 * median; }
-};
-
-std::optional<std::size_t> place_of_figure(const StudyResult& result, const std::string& key) {
-    const auto& figures = result.figures();
-    const auto found = std::find_if(figures.begin(), figures.end(), [&](const auto& one) { return one.key == key; });
-    if (found == figures.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - figures.begin());
-}
-
-std::optional<Spread> spread_of(const StudyResult& result, const std::string& key) {
-    const auto place = place_of_figure(result, key);
-    if (!place) return std::nullopt;
-    const std::vector<double> values = result.figure(*place);
-    const auto quantile = [&](double q) { return weighted_quantile(values, result.finished.weights, q); };
-    return Spread{quantile(0.05), quantile(0.5), quantile(0.95)};
-}
+constexpr std::size_t k_keys = 8, k_names = 3, k_name_letters = 40;
 
 std::string names_of(const std::vector<std::string>& all) {
     std::vector<std::string> names;
@@ -61,166 +40,139 @@ std::string names_of(const std::vector<std::string>& all) {
     return joined(names, ", ") + (all.size() > names.size() && !names.empty() ? ", …" : "");
 }
 
-Document released(const StudyInput& input, const StudyResult& result, const Words& words) {
-    const ReportNumbers number(words);
-    std::vector<std::string> areas, told;
-    for (const ReleaseArea& area : input.base.scene.release) areas.push_back(area.name);
-    if (const std::string names = names_of(areas); !names.empty()) told.push_back(names + ":");
-    if (const auto volume = spread_of(result, "volume_m3"))
-        told.push_back(
-            volume->is_one_value()
-                ? words("{1} m³ in every run.", {number.grouped(volume->median)})
-                : words("{1} m³ in the median of the runs, between {2} and {3} m³ in 90 % of them.",
-                        {number.grouped(volume->median), number.grouped(volume->low), number.grouped(volume->high)}));
-    return told.empty() ? Document() : Document().paragraph(words("What fails."), joined(told, " "));
-}
-
-Document varied(const StudyInput& input, const Words& words) {
+std::string varied(const StudyInput& input) {
     const std::vector<Variation>& vary = input.reading.study.vary;
     std::vector<std::string> told;
     for (std::size_t i = 0; i < std::min(k_keys, vary.size()); ++i)
         told.push_back(vary[i].key + " = " + vary[i].distribution.text);
     if (vary.size() > k_keys) told.emplace_back("…");
-    const std::string keys = told.empty() ? joined(input.table.keys, ", ") : joined(told, "; ");
-    return Document().paragraph(words("What varies."),
-                                words("{1}. All other values are those of the scene {2}.",
-                                      {keys, std::filesystem::path(input.reading.study.scene).filename().string()}) +
-                                    " " +
-                                    words("Probabilities hold if the slope fails and for these distributions: they are "
-                                          "no frequencies, and other ranges give other ones."));
+    return told.empty() ? joined(input.table.keys, ", ") : joined(told, "; ");
 }
 
-Document reached_by_runs(const StudyResult& result, const StudyFacts& facts, const Words& words) {
-    const ReportNumbers number(words);
-    std::string text;
-    if (const auto run_out = spread_of(result, k_run_out_key)) {
-        const std::vector<std::string> numbers{number.grouped(run_out->median), number.grouped(run_out->low),
-                                               number.grouped(run_out->high)};
-        text = facts.troubles.any()
-                   ? words(
-                         "In at least half of the runs the material comes more than {1} m far in map view, in at most "
-                         "5 % of them less than {2} m and in at least 5 % more than {3} m.",
-                         numbers)
-                   : words(
-                         "In half of the runs the material comes more than {1} m far in map view, in 5 % of them less "
-                         "than {2} m and in 5 % more than {3} m.",
-                         numbers);
+/// What a study's report says first: a row for each fact.
+class AnswerTable {
+  public:
+    AnswerTable(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words)
+        : input_(input), result_(result), facts_(facts), words_(words), number_(words) {}
+
+    Table of_runs();
+    Table of_slopes();
+
+  private:
+    void add(const std::string& name, const std::string& value, const std::string& kind = {}) {
+        table_.row({name, value}, kind);
     }
-    if (facts.reached_m2.size() == std::size(k_study_quantiles))
-        text += " " + words(
-                          "Deeper than {1} m at some time are {2} m² with a probability of at least 95 %, {3} m² "
-                          "with at least 50 %, {4} m² with at least 5 %.",
-                          {number(facts.reached_threshold), number.grouped(facts.reached_m2[2]),
-                           number.grouped(facts.reached_m2[1]), number.grouped(facts.reached_m2[0])});
-    if (const std::size_t unfinished = facts.troubles.unfinished(); unfinished > 0)
-        text += " " + words("The full reach is not known of {1} of {2} runs: these values are lower bounds.",
-                            {std::to_string(unfinished), std::to_string(facts.troubles.runs)});
-    return Document().paragraph(words("Where it goes."), text);
+    void add_unfinished();
+    void add_scheme();
+    void add_areas();
+    void add_errors();
+
+    const StudyInput& input_;
+    const StudyResult& result_;
+    const StudyFacts& facts_;
+    const Words& words_;
+    ReportNumbers number_;
+    Table table_;
+};
+
+void AnswerTable::add_unfinished() {
+    if (const std::size_t unfinished = facts_.troubles.unfinished(); unfinished > 0)
+        add(words_("Unfinished"),
+            words_("{1} of {2} runs: values are lower bounds",
+                   {std::to_string(unfinished), std::to_string(facts_.troubles.runs)}),
+            "warning");
 }
 
-/// The name of a source, else its number.
-std::string source_name(const StudyInput& input, std::size_t member) {
-    const bool named = !input.slopes.empty() && !input.slopes[member].name.empty();
-    return named ? elided(valid_utf8(input.slopes[member].name), k_name_letters) : std::to_string(member);
+void AnswerTable::add_scheme() {
+    if (facts_.scheme_check)
+        for (const auto& [name, value] : rows_of(*facts_.scheme_check)) add(name.in(words_), value.in(words_));
 }
 
-Document reached_by_sources(const StudyInput& input, const StudyResult& result, const StudyFacts& facts,
-                            const Words& words) {
-    const ReportNumbers number(words);
-    std::string text;
-    if (const auto place = place_of_figure(result, k_run_out_key)) {
-        const std::vector<double> values = result.figure(*place);
+/// Where the least depth threshold is exceeded with at least some probability.
+void AnswerTable::add_areas() {
+    for (std::size_t q = facts_.reached_m2.size(); q-- > 0;) {
+        const double fraction = k_study_quantiles[q].fraction;
+        std::string area = number_.grouped(facts_.reached_m2[q]);
+        if (fraction == 0.5)
+            area += " (" +
+                    words_("95 %: {1} to {2}", {number_.grouped(facts_.half_reached_m2.low),
+                                                number_.grouped(facts_.half_reached_m2.high)}) +
+                    ")";
+        add(words_("Area deeper than {1} m in {2} % of the runs or more [m²]",
+                   {number_(facts_.reached_threshold), number_.percent(fraction)}),
+            area);
+    }
+}
+
+void AnswerTable::add_errors() {
+    const auto percent = [&](double fraction) { return number_.percent(fraction) + " %"; };
+    add(words_("Standard error of the probabilities"),
+        words_("{1} at most, {2} on average", {percent(facts_.error.largest()), percent(facts_.error.mean())}));
+    add(words_("Margin of a probability of 0 or 1 (95 %)"), percent(facts_.least_margin));
+    const std::vector<double>& weights = result_.finished.weights;
+    add(words_("Weight of one run"), percent(*std::max_element(weights.begin(), weights.end())));
+    if (const auto& rare = facts_.rare_place)
+        add(words_("Deeper than {1} m at {2}", {number_(rare->event.threshold), rare->event.gauge}),
+            percent(rare->probability.value) + " (" +
+                words_("95 %: {1} to {2}", {percent(rare->probability.low()), percent(rare->high)}) + "), " +
+                words_("{1} runs", {std::to_string(rare->hits)}));
+    if (const auto& until = input_.reading.study.until)
+        add("study.until = " + words_.number(shortest_text(*until)),
+            words_(facts_.error.largest() <= *until ? worded("reached") : worded("not reached")));
+}
+
+Table AnswerTable::of_runs() {
+    const StudySpec& study = input_.reading.study;
+    std::vector<std::string> areas;
+    for (const ReleaseArea& area : input_.base.scene.release) areas.push_back(area.name);
+    if (const std::string names = names_of(areas); !names.empty()) add(words_("Release"), names);
+    add(words_("Varied"), varied(input_));
+    add(words_("Runs"), words_("{1} of {2}, sampling {3}, seed {4}",
+                               {std::to_string(result_.finished_at.size()), std::to_string(result_.members.size()),
+                                name_of(study.sampling), std::to_string(study.seed)}));
+    add_unfinished();
+    if (!result_.finished_at.empty()) {
+        add_areas();
+        add_errors();
+    }
+    add_scheme();
+    add(words_("Limitations"), words_("If the slope fails, for these distributions; errors of the model excluded"));
+    return table_;
+}
+
+std::optional<std::size_t> place_of_figure(const StudyResult& result, const std::string& key) {
+    const auto& figures = result.figures();
+    const auto found = std::find_if(figures.begin(), figures.end(), [&](const auto& one) { return one.key == key; });
+    if (found == figures.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - figures.begin());
+}
+
+Table AnswerTable::of_slopes() {
+    add(words_("Slopes"), words_("{1} of {2}, each failing alone",
+                                 {std::to_string(result_.finished_at.size()), std::to_string(result_.members.size())}));
+    add_unfinished();
+    if (const auto place = place_of_figure(result_, k_run_out_key)) {
+        const std::vector<double> values = result_.figure(*place);
         const auto farthest = static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
-        text = words(
-            facts.troubles.any()
-                ? worded("The farthest run-out is at least {1} m in map view, from source {2}; half of the sources "
-                         "come more than {3} m far.")
-                : worded("The farthest run-out is {1} m in map view, from source {2}; half of the sources come more "
-                         "than {3} m far."),
-            {number.grouped(values[farthest]), source_name(input, result.members[result.finished_at[farthest]].member),
-             number.grouped(weighted_quantile(values, result.finished.weights, 0.5))});
+        const std::size_t member = result_.members[result_.finished_at[farthest]].member;
+        const std::string& name = input_.slopes[member].name;
+        add(words_("Farthest run-out [m]"),
+            (facts_.troubles.any() ? "> " : "") + number_.grouped(values[farthest]) + " (" +
+                (name.empty() ? std::to_string(member) : elided(valid_utf8(name), k_name_letters)) + ")");
+        add(words_("Median run-out [m]"), number_.grouped(weighted_quantile(values, result_.finished.weights, 0.5)));
     }
-    if (!facts.reached_m2.empty())
-        text += " " + words("At least one source covers {1} m² deeper than {2} m.",
-                            {number.grouped(facts.reached_m2.front()), number(facts.reached_threshold)});
-    text +=
-        " " + words("Maps show the worst of all: what at least one of the sources causes, not all of them together.");
-    return Document().paragraph(words("Where it goes."), text);
-}
-
-/// What the members computed by the other scheme say.
-std::string scheme_told(const StudyFacts& facts, const Words& words) {
-    std::string text;
-    if (facts.scheme_check)
-        for (const Sentence& sentence : sentences_of(*facts.scheme_check)) text += " " + sentence.in(words);
-    return text;
-}
-
-std::string runs_sentence(const StudyInput& input, const StudyResult& result, const Words& words) {
-    const StudySpec& study = input.reading.study;
-    const std::string finished = std::to_string(result.finished_at.size()), all = std::to_string(result.members.size());
-    if (study.per_polygon()) return words("{1} of {2} sources were computed, each failing alone.", {finished, all});
-    return words(
-        "{1} of {2} runs were computed; their values are drawn from the distributions (sampling {3}, seed {4}).",
-        {finished, all, name_of(study.sampling), std::to_string(study.seed)});
-}
-
-Document sure(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {
-    const ReportNumbers number(words);
-    const StudySpec& study = input.reading.study;
-    std::string text = runs_sentence(input, result, words);
-    if (result.failed() > 0) text += " " + words("{1} failed and are in no map.", {std::to_string(result.failed())});
-    if (study.per_polygon()) return Document().paragraph(words("How sure."), text + scheme_told(facts, words));
-    text += " " + words(
-                      "The standard error of the probabilities is at most {1} %, on average {2} % where it is not 0: "
-                      "it measures the number of runs, not how well model, terrain and distributions describe "
-                      "nature.",
-                      {number.percent(facts.error.largest()), number.percent(facts.error.mean())});
-    text += scheme_told(facts, words);
-    text += " " + words(
-                      "Where all or none of the runs come, that is not certain: a probability {1} % away from it is "
-                      "still possible (95 % confidence).",
-                      {number.percent(facts.least_margin)});
-    const std::vector<double>& weights = result.finished.weights;
-    const std::string one_run = number.percent(*std::max_element(weights.begin(), weights.end()));
-    if (const auto& rare = facts.rare_place)
-        text += " " +
-                words(
-                    "At {1} the flow is deeper than {2} m with a probability of {3} % (95 % confidence: {4} to {5} %). "
-                    "Half of the runs were drawn near what makes it come there, and count less; elsewhere a "
-                    "probability less than {6} % is less than one run, and cannot be told from 0.",
-                    {rare->event.gauge, number(rare->event.threshold), number.percent(rare->probability.value),
-                     number.percent(rare->probability.low()), number.percent(rare->high), one_run});
-    else
-        text +=
-            " " + words("A probability less than {1} % is less than one run, and cannot be told from 0.", {one_run});
-    text += " " + words("In the rasters of probability band 2 is half of the interval of 95 %.");
-    if (result.open.any())
-        text += " " + words(facts.rare_place
-                                ? worded("Band 3, and the upper limit above, are the probability if all runs whose "
-                                         "full reach is not known came everywhere.")
-                                : worded("Band 3 is the probability if all runs whose full reach is not known came "
-                                         "everywhere."));
-    const auto run_out = place_of_figure(result, k_run_out_key);
-    const Interval median = run_out ? result.quantile_of(*run_out, 0.5) : Interval{};
-    if (run_out && std::isfinite(median.low) && std::isfinite(median.high) && !facts.reached_m2.empty())
-        text += " " + words(
-                          "With any number of runs the median run-out would lie between {1} and {2} m, and the area "
-                          "with a probability of at least 50 % between {3} and {4} m² (95 % confidence).",
-                          {number.grouped(median.low), number.grouped(median.high),
-                           number.grouped(facts.half_reached_m2.low), number.grouped(facts.half_reached_m2.high)});
-    if (study.until)
-        text += " " +
-                (facts.error.largest() <= *study.until
-                     ? words("The error asked for (study.until = {1}) is reached.", {shortest_text(*study.until)})
-                     : words("The error asked for (study.until = {1}) is not reached.", {shortest_text(*study.until)}));
-    return Document().paragraph(words("How sure."), text);
+    if (!facts_.reached_m2.empty())
+        add(words_("Area deeper than {1} m by any slope [m²]", {number_(facts_.reached_threshold)}),
+            number_.grouped(facts_.reached_m2.front()));
+    add_scheme();
+    add(words_("Limitations"), words_("One set of values for each slope; none fails with another"));
+    return table_;
 }
 
 Document figures_table(const StudyResult& result, const Words& words) {
     if (result.figures().empty()) return {};
     const ReportNumbers number(words);
-    Table table({words("value"), "", words("mean"), "5 %", "50 %", "95 %"});
+    Table table({words("value"), "", words("mean"), "5 %", "50 %", "95 %", words("median, 95 %")});
     const std::vector<double>& weights = result.finished.weights;
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
         const std::vector<double> values = result.figure(f);
@@ -230,38 +182,18 @@ Document figures_table(const StudyResult& result, const Words& words) {
             return (is_bound ? "> " : "") + number.of_any_size(value);
         };
         const Figure& figure = result.figures()[f];
+        const Interval median = result.quantile_of(f, 0.5);
+        const std::string of_median =
+            std::isfinite(median.low) && std::isfinite(median.high)
+                ? words("{1} to {2}", {number.of_any_size(median.low), number.of_any_size(median.high)})
+                : "";
         table.row({figure_title(figure, words), ReportNumbers::unit(figure.unit),
-                   number.of_any_size(result.mean_of(f).value), quantile(0.05), quantile(0.5), quantile(0.95)});
+                   number.of_any_size(result.mean_of(f).value), quantile(0.05), quantile(0.5), quantile(0.95),
+                   of_median});
     }
     return Document()
         .subheading(words("Values of the runs: mean, and what 5, 50 and 95 % of them do not exceed"))
         .add(table);
-}
-
-Document slopes_table(const StudyInput& input, const StudyResult& result, const Words& words) {
-    const ReportNumbers number(words);
-    const auto run_out = place_of_figure(result, k_run_out_key), volume = place_of_figure(result, "volume_m3"),
-               area = place_of_figure(result, "covered_area_m2"), depth = place_of_figure(result, "max_depth_m");
-    if (!run_out) return {};
-    const auto of = [&](std::size_t i, const std::optional<std::size_t>& figure) {
-        return figure ? result.members[i].figures[*figure].value : k_no_data;
-    };
-    std::vector<std::size_t> order = result.finished_at;
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return of(a, run_out) > of(b, run_out); });
-    Table table({words("source"), words("volume [m³]"), words("Run-out [m]"), words("covered area [m²]"),
-                 words("greatest depth [m]")});
-    for (std::size_t i = 0; i < std::min(k_slopes, order.size()); ++i) {
-        const std::size_t member = result.members[order[i]].member;
-        table.row({source_name(input, member), number.grouped(of(order[i], volume)),
-                   number.grouped(of(order[i], run_out)), number.grouped(of(order[i], area)),
-                   number(of(order[i], depth), 3)});
-    }
-    Document sources;
-    sources.subheading(words("Sources")).add(table);
-    if (order.size() > k_slopes)
-        sources.small(words("The {1} that come farthest; members.csv has all.", {std::to_string(k_slopes)}));
-    return sources;
 }
 
 Document degrees_table(const std::vector<HazardArea>& degrees, const Words& words) {
@@ -278,34 +210,23 @@ Document degrees_table(const std::vector<HazardArea>& degrees, const Words& word
     return table;
 }
 
-/// The first page of a study's report: what fails, what varies, where it goes in how many of the runs, how
-/// sure that is. Of sources that fail alone: what at least one of them reaches.
+/// The first page of a study's report: what varies, where it goes in how many of the runs, how sure that is. Of a
+/// region: what any slope reaches.
 Document study_answer(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {
-    const bool per_polygon = input.reading.study.per_polygon();
-    const std::string not_done =
-        per_polygon ? words("Each source is computed with one set of values, not with the range of what is possible.")
-                    : words(
-                          "Only what is named here is varied: errors of the model, of the terrain and of other "
-                          "values are in no probability.");
+    AnswerTable table(input, result, facts, words);
     Document answer;
     if (facts.troubles.are_first()) answer.add(Paragraph{{}, headline(facts.troubles).in(words), "warning"});
     answer.heading("answer", words("Scenario and answer"));
-    if (!per_polygon) answer.add(released(input, result, words)).add(varied(input, words));
-    answer.add(per_polygon ? reached_by_sources(input, result, facts, words) : reached_by_runs(result, facts, words))
-        .add(sure(input, result, facts, words));
-    if (!per_polygon) answer.part(k_comparison_answer, comparison_answer(std::nullopt, words));
-    return answer.first_warnings(facts.warnings, words).paragraph(words("Not done."), not_done);
+    if (input.reading.study.region) return answer.add(table.of_slopes()).first_warnings(facts.warnings, words);
+    return answer.add(table.of_runs())
+        .part(k_comparison_answer, comparison_answer(std::nullopt, words))
+        .first_warnings(facts.warnings, words);
 }
 
 /// The figures of the runs with their mean and quantiles; of a region the areas of the degrees of hazard.
 Document study_values(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {
-    if (input.reading.study.per_polygon()) return degrees_table(facts.degrees, words);
+    if (input.reading.study.region) return degrees_table(facts.degrees, words);
     return figures_table(result, words);
-}
-
-/// The sources of a study in which each fails alone, those that come farthest first; empty for others.
-Document study_sources(const StudyInput& input, const StudyResult& result, const Words& words) {
-    return input.reading.study.per_polygon() && input.slopes.empty() ? slopes_table(input, result, words) : Document();
 }
 
 /// Slopes that a report lists; members.csv has all.
@@ -338,7 +259,7 @@ std::string why_open(const MemberEnd& end, const Words& words) {
 /// The section of a report with a region's slopes in their order: name, scenario, volume, run-out, greatest depth and
 /// speed, or why a slope failed; the first k_most_slopes of them. Empty for other studies.
 Document slopes_section(const StudyInput& input, const StudyResult& result, const Words& words) {
-    if (input.slopes.empty()) return {};
+    if (!input.reading.study.region) return {};
     const bool has_scenarios = input.reading.study.region->scenario.has_value(), has_failures = result.failed() > 0;
     const bool has_open = std::any_of(result.members.begin(), result.members.end(), [](const MemberResult& member) {
         return member.failure.empty() && member.end.is_open();
@@ -390,37 +311,12 @@ std::string interval_text(const std::optional<Interval>& one, const Words& words
     return words("{1} ({2} to {3})", {number(one->value, 2), number(one->low, 2), number(one->high, 2)});
 }
 
-/// Of Morris' design, the greatest effects on a figure first.
-Document effects_table(const StudyInput& input, const std::vector<FigureSensitivity>& figures, const Words& words) {
-    const ReportNumbers number(words);
-    Table table({words("value"), words("key"), words("mean change"), words("deviation"), ""});
-    for (const FigureSensitivity& figure : figures) {
-        std::vector<std::size_t> order(figure.keys.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-            return figure.keys[a].effect->value > figure.keys[b].effect->value;
-        });
-        for (const std::size_t k : order) {
-            const KeySensitivity& one = figure.keys[k];
-            table.row({figure_title(figure.figure, words), input.table.keys[k], interval_text(one.effect, words),
-                       number(one.effect_scatter, 2), ReportNumbers::unit(figure.figure.unit)});
-        }
-    }
-    return Document().add(table).small(
-        words("Mean change: by how much the value changes on average when the key alone moves by half of its "
-              "distribution, without sign (mu* of Morris), in brackets the interval of 95 %. A deviation as large as "
-              "it: the change depends on where the key is and on the others."));
-}
-
 Document sensitivity_table(const StudyInput& input, const std::vector<FigureSensitivity>& figures, bool are_dependent,
                            const Words& words) {
-    if (!figures.empty() && figures.front().keys.front().effect) return effects_table(input, figures, words);
     const ReportNumbers number(words);
     Table table({words("value"), words("key"), words("first order"), words("total"), words("rank correlation"), "Q2"});
-    std::vector<std::string> untold;
     for (const FigureSensitivity& figure : figures) {
         const std::string title = figure_title(figure.figure, words);
-        if (figure.q2 < k_least_q2) untold.push_back(title);
         for (std::size_t k = 0; k < figure.keys.size(); ++k) {
             const KeySensitivity& one = figure.keys[k];
             table.row({title, input.table.keys[k], interval_text(one.first_order, words),
@@ -428,33 +324,10 @@ Document sensitivity_table(const StudyInput& input, const std::vector<FigureSens
                        std::isnan(figure.q2) ? words("not measurable") : number(figure.q2, 2)});
         }
     }
-    Document section;
-    section.add(table);
-    if (are_dependent)
-        section.small(words("The varied keys are correlated: no fraction of the variance is that of one of them."));
-    else if (!untold.empty())
-        section.small(
-            words("No fraction of the variance is told of {1}: there polynomials of the keys do not predict "
-                  "the runs (Q2 less than {2}). More runs may help.",
-                  {joined(untold, ", "), number(k_least_q2)}));
-    return section.small(
-        words("First order and total are fractions of the variance of a value that its key explains, alone and with "
-              "others. The rank correlation is no fraction: it tells whether the two rise together. In brackets the "
-              "interval of 95 %. Q2: part of the variance that polynomials of the keys predict of runs left out."));
-}
-
-Paragraph median_paragraph(const StudyInput& input, const MedianMember& median, const ResultDirectory& directory,
-                           const Words& words) {
-    const ReportNumbers number(words);
-    std::string values;
-    for (const std::string& one : input.table.overrides(median.member)) values += (values.empty() ? "" : ", ") + one;
-    Paragraph told{
-        {{words("Member {1}: {2} {3} {4}, nearest to the weighted median of all, {5}. Its values: {6}.",
-                {std::to_string(median.member), figure_title(median.figure, words), number.grouped(median.figure.value),
-                 ReportNumbers::unit(median.figure.unit), number.grouped(median.median), values})}}};
-    if (fs::exists(directory.path(k_animation_file)))
-        told.text.push_back({words("Film of this member"), "", k_animation_file});
-    return told;
+    return Document().add(table).small(
+        are_dependent ? words("Correlated keys: no fraction of the variance is that of one of them.")
+                      : words("Fractions of the variance, alone and with others; none where Q2 is less than {1}.",
+                              {number(k_least_q2)}));
 }
 
 Table failures_list(const StudyResult& result, const Words& words) {
@@ -480,9 +353,8 @@ std::vector<std::string> maps_in_order(const StudyInput& input, const ResultDire
 std::string title_of(const StudyInput& input, const Words& words) {
     const SceneSpec& spec = input.base.spec;
     const std::string name = spec.output.title.value_or(scene_name(spec));
-    return !input.slopes.empty()               ? words("{1}: a region of many slopes", {name})
-           : input.reading.study.per_polygon() ? words("{1}: each source alone", {name})
-                                               : words("{1}: a range of runs", {name});
+    return input.reading.study.region ? words("{1}: a region of many slopes", {name})
+                                      : words("{1}: a range of runs", {name});
 }
 
 void add_inputs(const StudyInput& input, const StudyFacts& facts, const Words& words, Document& page) {
@@ -510,12 +382,11 @@ void write_study_report(const StudyInput& input, const StudyResult& result,
     page.add(exposure_answer(facts.exposure, exposure_reached_by(input), words));
     if (!maps.empty()) page.maps({maps.front()}, folder, words);
     // The first page of paper has room for a short table under its picture.
-    const bool is_short = input.reading.study.per_polygon() || result.figures().size() <= k_figures_on_first_page;
+    const bool is_short = input.reading.study.region || result.figures().size() <= k_figures_on_first_page;
     if (is_short) page.add(study_values(input, result, facts, words));
     page.end_answer();
     if (!is_short) page.add(study_values(input, result, facts, words));
-    page.add(study_sources(input, result, words))
-        .add(exposure_section(facts.exposure, words))
+    page.add(exposure_section(facts.exposure, words))
         .add(slopes_section(input, result, words))
         .heading("maps", words("Maps"));
     if (maps.size() > 1) page.maps({maps.begin() + 1, maps.end()}, folder, words);
@@ -527,8 +398,6 @@ void write_study_report(const StudyInput& input, const StudyResult& result,
         page.heading("sensitivity", words("Sensitivity"))
             .add(sensitivity_table(input, figures, result.points.are_dependent, words));
     page.charts(study_charts(), folder, words);
-    if (facts.median)
-        page.heading("median", words("Median member")).add(median_paragraph(input, *facts.median, directory, words));
     if (!facts.warnings.empty()) page.warnings(facts.warnings, words);
     if (result.failed() > 0) page.heading("failures", words("Failed members")).add(failures_list(result, words));
     write_page(folder,

@@ -6,12 +6,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/pictures/animation.h"
 #include "app/pictures/map_layer.h"
-#include "app/pictures/result_reader.h"
-#include "app/process/terminal.h"
 #include "app/publish/summary.h"
-#include "app/store/frame_store.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
 #include "app/study/publish/study_files.h"
@@ -21,84 +17,8 @@
 #include "core/json.h"
 #include "core/text.h"
 #include "params/keys/scene_parameters.h"
-#include "simulation/simulation.h"
 
 namespace frana::app::study {
-namespace {
-
-void write_frames(const StudyInput& input, const StudyResult& result, std::size_t member,
-                  const ResultDirectory& directory) {
-    RunLog silent(true);
-    Prepared prepared = prepare(input.member(member), silent);
-    prepared.scene.time.end = result.members[member].end.end;
-    if (!prepared.scene.grid.same_cells(result.grid))
-        throw Error(ErrorKind::input,
-                    Problem{"has other cells than the maps", "member " + std::to_string(member), "", "",
-                            "`frana run` with its values from " + std::string(k_member_table) + " makes the film"});
-    directory.make_folder(k_frame_folder);
-    FrameWriter frames(directory.path(k_frame_folder), provenance(prepared));
-    RunOptions options;
-    options.on_frame = [&](Frame frame) { frames.add(std::move(frame)); };
-    options.stop_requested = [&] { return stop_signal() != 0 || frames.failed(); };
-    run(prepared.scene, options);
-    frames.finish();
-}
-
-void remove_frames(const ResultDirectory& directory) {
-    std::error_code ignored;  // what is left belongs to the files of a result
-    std::filesystem::remove_all(directory.path(k_frame_folder), ignored);
-}
-
-std::string sentence(const MedianMember& median) {
-    return "member " + std::to_string(median.member) + ", " + median.figure.title + " " + grouped(median.figure.value) +
-           " " + median.figure.unit + " (median of all " + grouped(median.median) + ")";
-}
-
-}  // namespace
-
-std::optional<MedianMember> median_member(const StudyResult& result) {
-    for (std::size_t f = 0; f < result.figures().size(); ++f) {
-        if (result.figures()[f].key != k_median_figure) continue;
-        const std::vector<double> values = result.figure(f);
-        const double median = weighted_quantile(values, result.finished.weights, 0.5);
-        std::optional<std::size_t> nearest;
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            if (!nearest || std::abs(values[i] - median) < std::abs(values[*nearest] - median)) nearest = i;
-        }
-        if (!nearest) return std::nullopt;
-        const MemberResult& member = result.members[result.finished_at[*nearest]];
-        return MedianMember{member.member, member.figures[f], median};
-    }
-    return std::nullopt;
-}
-
-void film_member(const StudyInput& input, const StudyResult& result, const MedianMember& median,
-                 const ResultDirectory& directory, RunLog& log) {
-    const OutputSpec& output = input.base.spec.output;
-    if (!output.animation) return;
-    try {
-        write_frames(input, result, median.member, directory);
-        const ResultReader written(directory.folder());
-        MapSource source = written.map_source();
-        source.title = output.title.value_or(scene_name(input.base.spec));
-        const Words& words = source.style.words;
-        source.subtitle = words("member {1}, {2} {3} {4} (median of all {5})",
-                                {std::to_string(median.member), figure_title(median.figure, words),
-                                 words.number(grouped(median.figure.value)), unit_sign(median.figure.unit),
-                                 words.number(grouped(median.median))});
-        AnimationRequest film{
-            animation_source(written, source, "depth"), {}, false, false, animation_size(source.style.size)};
-        film.stop_requested = [] { return stop_signal() != 0; };
-        if (stop_signal() == 0 && write_animation(film, directory.path(k_animation_file)))
-            log.note(std::string("drew ") + k_animation_file + ": " + sentence(median));
-        else
-            log.warn(worded("{1} is left out because of the signal", {k_animation_file}));
-    } catch (const std::exception& error) {
-        log.warn(worded("{1} could not be drawn: {2}", {k_animation_file, std::string(error.what())}));
-    }
-    remove_frames(directory);
-}
-
 namespace {
 
 /// Columns that scripts read, before the figures of gauges and others.
@@ -118,86 +38,80 @@ std::string figure_cell(const MemberResult& member, const std::string& key) {
     return "";
 }
 
-std::string cells(const std::optional<Interval>& interval) {
-    if (!interval || std::isnan(interval->low)) return ",";
-    return shortest_text(interval->low) + "," + shortest_text(interval->high);
-}
-
-std::string value_cell(const std::optional<Interval>& interval) {
-    return interval ? shortest_text(interval->value) : "";
+std::string cell(const std::optional<double>& value) {
+    return value && !std::isnan(*value) ? shortest_text(*value) : "";
 }
 
 /// What the attributes of a region's slopes say, and the terrain on which each ran, as terrain.bounds takes it.
-std::string slope_columns(const StudyInput& input) {
-    return input.slopes.empty() ? "" : ",name,group,scenario,return_period,terrain.bounds";
-}
+constexpr const char* k_slope_columns[] = {"name", "group", "scenario", "return_period", "terrain.bounds"};
 
-std::string slope_cells(const StudyInput& input, const MemberResult& member) {
-    if (input.slopes.empty()) return "";
-    const Slope& slope = input.slopes[member.member];
+std::vector<std::string> slope_cells(const Slope& slope, const MemberResult& member) {
     const Bounds& box = member.terrain;
     const std::string bounds = shortest_text(box.west) + " " + shortest_text(box.south) + " " +
                                shortest_text(box.east) + " " + shortest_text(box.north);
-    return "," + csv_cell(slope.name) + "," + csv_cell(slope.group) + "," + csv_cell(slope.scenario) + "," +
-           (slope.return_period ? shortest_text(*slope.return_period) : "") + "," +
-           (member.figures.empty() ? "" : bounds);
+    return {slope.name, slope.group, slope.scenario, cell(slope.return_period), member.figures.empty() ? "" : bounds};
+}
+
+void append(std::vector<std::string>& list, const auto& more) {
+    list.insert(list.end(), std::begin(more), std::end(more));
 }
 
 }  // namespace
 
 std::string members_csv(const StudyInput& input, const StudyResult& result) {
     const std::vector<std::string> figures = figure_columns(result);
-    std::string text = "member,status,weight";
-    text += slope_columns(input);
-    for (const std::string& key : input.table.keys) text += "," + csv_cell(key);
     // A member that was cut ran on: its row repeats it all the same.
     const auto& keys = input.table.keys;
     const bool has_end = std::find(keys.begin(), keys.end(), k_end_key) == keys.end();
-    if (has_end) text += std::string(",") + k_end_key;
-    for (const std::string& figure : figures) text += "," + csv_cell(figure);
-    text += ",engine_seconds";
-    for (const char* column : k_end_columns) text += std::string(",") + column;
-    text += ",reason\n";
+    std::vector<std::string> heads{"member", "status", "weight"};
+    if (!input.slopes.empty()) append(heads, k_slope_columns);
+    append(heads, keys);
+    if (has_end) heads.emplace_back(k_end_key);
+    append(heads, figures);
+    heads.emplace_back("engine_seconds");
+    append(heads, k_end_columns);
+    heads.emplace_back("reason");
+    std::string text = csv_line(heads);
     for (const MemberResult& member : result.members) {
-        text += std::to_string(member.member) + (member.failure.empty() ? ",finished," : ",failed,") +
-                shortest_text(input.table.weights[member.member]);
-        text += slope_cells(input, member);
-        for (const std::string& value : input.table.values[member.member]) text += "," + csv_cell(value);
-        if (has_end) text += "," + (member.end.stop_reason.empty() ? "" : shortest_text(member.end.end));
-        for (const std::string& figure : figures) text += "," + figure_cell(member, figure);
-        text += "," + shortest_text(member.engine_seconds);
-        for (const std::string& cell : end_values(member.end)) text += "," + csv_cell(cell);
-        text += "," + csv_cell(member.failure) + "\n";
+        std::vector<std::string> row{std::to_string(member.member), member.failure.empty() ? "finished" : "failed",
+                                     shortest_text(input.table.weights[member.member])};
+        if (!input.slopes.empty()) append(row, slope_cells(input.slopes[member.member], member));
+        append(row, input.table.values[member.member]);
+        if (has_end) row.push_back(member.end.stop_reason.empty() ? "" : shortest_text(member.end.end));
+        for (const std::string& figure : figures) row.push_back(figure_cell(member, figure));
+        row.push_back(shortest_text(member.engine_seconds));
+        append(row, end_values(member.end));
+        row.push_back(member.failure);
+        text += csv_line(row);
     }
     return text;
 }
 
 std::string sensitivity_csv(const StudyInput& input, const std::vector<FigureSensitivity>& figures) {
-    std::string text =
-        "figure,key,first_order,total,low,high,total_low,total_high,rank_correlation,rank_low,rank_high,method,q2,"
-        "effect,effect_low,effect_high,effect_deviation\n";
+    std::string text = csv_line({"figure", "key", "first_order", "total", "low", "high", "total_low", "total_high",
+                                 "rank_correlation", "rank_low", "rank_high", "method", "q2"});
     for (const FigureSensitivity& figure : figures) {
         for (std::size_t k = 0; k < figure.keys.size(); ++k) {
             const KeySensitivity& one = figure.keys[k];
-            text += csv_cell(figure.figure.key) + "," + csv_cell(input.table.keys[k]) + "," +
-                    value_cell(one.first_order) + "," + value_cell(one.total) + "," + cells(one.first_order) + "," +
-                    cells(one.total) + "," + value_cell(one.rank_correlation) + "," + cells(one.rank_correlation) +
-                    "," + (one.method.empty() ? "not measurable" : one.method) + "," +
-                    (std::isnan(figure.q2) ? "" : shortest_text(figure.q2)) + "," + value_cell(one.effect) + "," +
-                    cells(one.effect) + "," + (one.effect ? shortest_text(one.effect_scatter) : "") + "\n";
+            const auto of = [](const std::optional<Interval>& interval, double Interval::*member) {
+                return interval ? cell((*interval).*member) : "";
+            };
+            text += csv_line({figure.figure.key, input.table.keys[k], of(one.first_order, &Interval::value),
+                              of(one.total, &Interval::value), of(one.first_order, &Interval::low),
+                              of(one.first_order, &Interval::high), of(one.total, &Interval::low),
+                              of(one.total, &Interval::high), of(one.rank_correlation, &Interval::value),
+                              of(one.rank_correlation, &Interval::low), of(one.rank_correlation, &Interval::high),
+                              one.method.empty() ? "not measurable" : one.method, cell(figure.q2)});
         }
-        // A field of error is in what the polynomials of the keys do not explain.
-        const bool has_field = std::any_of(figure.keys.begin(), figure.keys.end(),
-                                           [](const KeySensitivity& one) { return one.method == k_not_explained; });
-        if (has_field)
-            text += csv_cell(figure.figure.key) + "," + k_not_explained + "," + shortest_text(1 - figure.q2) +
-                    ",,,,,,,,,polynomial chaos," + shortest_text(figure.q2) + ",,,,\n";
+        if (!std::isnan(figure.q2))
+            text += csv_line({figure.figure.key, k_not_explained, shortest_text(std::min(1.0, 1 - figure.q2)), "", "",
+                              "", "", "", "", "", "", "polynomial chaos", cell(figure.q2)});
     }
     return text;
 }
 
 ShownFriction shown_friction(const StudyInput& input) {
-    ShownFriction shown{input.reading.study.per_polygon() ? k_largest_friction : k_central_friction, {}};
+    ShownFriction shown{input.reading.study.region ? k_largest_friction : k_central_friction, {}};
     const bool by_release = !input.base.spec.friction_table.volume.has_value();
     for (const std::string& key : input.table.keys) {
         const std::string section = key.substr(0, key.find('.'));
@@ -233,10 +147,10 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
     Json& varied = json["varied"] = Json::array();
     for (const Variation& one : study.vary)
         varied.push_back({{"key", one.key}, {"distribution", one.distribution.text}});
-    if (study.vary.empty() && !study.per_polygon())
+    if (study.vary.empty() && !study.region)
         for (const std::string& key : input.table.keys) varied.push_back({{"key", key}, {"distribution", "table"}});
     json["effective_members"] = result.finished.effective_size();
-    if (!study.per_polygon()) {
+    if (!study.region) {
         json["largest_standard_error"] = facts.error.largest();
         json["mean_standard_error"] = facts.error.mean();
         json["margin_at_0_and_1"] = facts.least_margin;
@@ -282,11 +196,6 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
                               {"members_that_came", rare->hits}};
     json["scheme"] = scheme_json(input);
     if (facts.scheme_check) json["scheme_check"] = check_json(*facts.scheme_check);
-    if (const auto& median = facts.median)
-        json["median_member"] = {{"member", median->member},
-                                 {"figure", median->figure.key},
-                                 {"value", median->figure.value},
-                                 {"median", median->median}};
     Json& failures = json["failures"] = Json::array();
     for (const MemberResult& member : result.members)
         if (!member.failure.empty()) failures.push_back({{"member", member.member}, {"reason", member.failure}});

@@ -15,26 +15,6 @@
 
 namespace frana::app::study {
 
-/// Figure by which the median member is chosen.
-inline constexpr const char* k_median_figure = "covered_area_m2";
-
-/// The member in the middle of a study.
-struct MedianMember {
-    std::size_t member = 0;
-    Figure figure;      ///< its own value of k_median_figure
-    double median = 0;  ///< weighted, of all members
-};
-
-/// Returns the member whose figure is nearest to the weighted median of all, of several the
-/// first. None if no member finished.
-std::optional<MedianMember> median_member(const StudyResult& result);
-
-/// Runs a member again, with frames, and writes animation.mp4 if the scene asks for one; the terrain and the outlines
-/// of the study must have been written. The frames are removed. There is a warning if the animation could not
-/// be made.
-void film_member(const StudyInput& input, const StudyResult& result, const MedianMember& median,
-                 const ResultDirectory& directory, RunLog& log);
-
 /// Returns members.csv: a row for each member, with its values as after `--set` and its figures.
 std::string members_csv(const StudyInput& input, const StudyResult& result);
 /// Returns sensitivity.csv: a row for each figure and key.
@@ -45,7 +25,6 @@ struct StudyFacts {
     Troubles troubles;
     ErrorSummary error;       ///< of all maps of probability
     double least_margin = 1;  ///< Estimate::margin of a probability of 0 or 1
-    std::optional<MedianMember> median;
     std::optional<RarePlace> rare_place;
     std::optional<ExposureTotals> exposure;
     std::optional<SchemeCheck> scheme_check;

@@ -61,10 +61,6 @@ Sentence short_number(double value) {
     return numeral(number_text(value, 3));
 }
 
-Sentence percent(double fraction) {
-    return numeral(std::to_string(std::lround(100 * fraction)));
-}
-
 }  // namespace
 
 std::vector<double> weights_of(const std::vector<double>& log_likelihood, const std::vector<double>& density,
@@ -384,19 +380,9 @@ std::vector<IndistinctPair> indistinct_pairs(const std::vector<KeySample>& keys,
 
 std::vector<Sentence> sentences(const std::vector<KeyPosterior>& keys, const std::vector<IndistinctPair>& pairs) {
     std::vector<Sentence> all;
-    for (const KeyPosterior& key : keys) {
-        if (key.nominal) continue;
-        all.push_back(worded("With the surveys {1} is {2} to {3} (90 %): {4} % of the width that it has without them.",
-                             {name_of(key), short_number(key.low), short_number(key.high), percent(key.width)}));
-    }
     for (const IndistinctPair& pair : pairs)
-        all.push_back(
-            worded(pair.correlation > 0
-                       ? worded("The surveys cannot tell {1} from {2}: greater values of one explain them as well "
-                                "with greater values of the other (correlation {3}).")
-                       : worded("The surveys cannot tell {1} from {2}: greater values of one explain them as well "
-                                "with smaller values of the other (correlation {3})."),
-                   {name_of(keys[pair.first]), name_of(keys[pair.second]), short_number(pair.correlation)}));
+        all.push_back(worded("{1}, {2}: correlation {3}",
+                             {name_of(keys[pair.first]), name_of(keys[pair.second]), short_number(pair.correlation)}));
     return all;
 }
 

@@ -154,7 +154,7 @@ std::vector<KeyPosterior> key_posteriors(const std::vector<KeySample>& keys, con
 /// Returns the pairs of keys with an order, the most correlated first.
 std::vector<IndistinctPair> indistinct_pairs(const std::vector<KeySample>& keys, const std::vector<double>& weights);
 
-/// Returns plain sentences on what the surveys tell and do not tell.
+/// Names the keys that the surveys do not tell apart.
 std::vector<Sentence> sentences(const std::vector<KeyPosterior>& keys, const std::vector<IndistinctPair>& pairs);
 /// Returns why a posterior may be cut off: an end of its interval within 2 % of the limit of the distribution.
 std::vector<Sentence> edge_doubts(const std::vector<KeyPosterior>& keys);

@@ -29,15 +29,6 @@ double effective_count(const std::vector<double>& weights) {
     return squares > 0 ? sum * sum / squares : 0;
 }
 
-FinishedMembers FinishedMembers::first(std::size_t count) const {
-    FinishedMembers some = *this;
-    some.records.resize(count);
-    some.weights.resize(count);
-    for (auto* const list : {&some.replicates, &some.columns})
-        if (!list->empty()) list->resize(count);
-    return some;
-}
-
 CellWindow reached_window(const FinishedMembers& members, const GridSpec& grid) {
     CellWindow all;
     for (const RecordPlace& record : members.records) all = window_of_both(all, require_record(record).reached(grid));

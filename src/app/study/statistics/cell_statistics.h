@@ -30,8 +30,6 @@ struct FinishedMembers {
     std::shared_ptr<CellStore> store{};
     std::vector<std::size_t> columns{};
 
-    /// The first of them alone.
-    [[nodiscard]] FinishedMembers first(std::size_t count) const;
     [[nodiscard]] std::size_t size() const noexcept { return records.size(); }
     /// Number of independent members with equal weights whose mean is as certain.
     [[nodiscard]] double effective_size() const { return effective_count(weights); }

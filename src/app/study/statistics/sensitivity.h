@@ -7,24 +7,11 @@
 #include <vector>
 
 #include "app/study/openturns/functions.h"
-#include "core/words/words.h"
 
 namespace frana::app::study {
 
 /// Least q2 of polynomials from which fractions of the variance are told.
 inline constexpr double k_least_q2 = 0.7;
-/// With more keys polynomials of products need more members than most studies have: Morris' design finds those that
-/// matter.
-inline constexpr std::size_t k_many_keys = 6;
-inline constexpr const char* k_screening_advice = worded(
-    "With so many keys find those that matter first: sampling = morris with ten times as many members as keys plus 1, "
-    "then vary only these.");
-
-/// Returns the elementary effects of Morris' design, with the interval of their mean from its scatter over the groups.
-/// @param output by row: the points, then each key moved
-std::vector<KeySensitivity> elementary_effects(const DesignPoints& points, const std::vector<double>& output,
-                                               std::size_t groups);
-
 /// Returns the places of members of which none are known: mean ranks, even in (0, 1).
 Places rank_places(const DesignPoints& points);
 

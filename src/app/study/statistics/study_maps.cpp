@@ -29,8 +29,16 @@ void for_each_cell(const std::vector<UnionMember>& members, const GridSpec& grid
     }
 }
 
-void raise(double& greatest, double value) {
-    greatest = std::isnan(greatest) ? value : std::max(greatest, value);
+/// The greatest value in each cell; `value_of` returns NaN where a member has none.
+template <class ValueOf>
+Raster worst_of(const std::vector<UnionMember>& members, const GridSpec& grid, const ValueOf& value_of) {
+    Raster worst(grid, k_no_data);
+    for_each_cell(members, grid,
+                  [&](const UnionMember& member, const MemberRecord& record, std::size_t cell, std::size_t index) {
+                      const double value = value_of(member, record, index);
+                      if (!std::isnan(value)) worst.values[cell] = std::fmax(worst.values[cell], value);
+                  });
+    return worst;
 }
 
 }  // namespace
@@ -52,38 +60,27 @@ DepthUnion depth_union(const std::vector<UnionMember>& members, const GridSpec& 
 }
 
 Raster greatest_of(const std::vector<UnionMember>& members, Quantity quantity, const GridSpec& grid) {
-    Raster greatest(grid, k_no_data);
-    for_each_cell(members, grid,
-                  [&](const UnionMember&, const MemberRecord& record, std::size_t cell, std::size_t index) {
-                      const std::vector<float>& values = record.of(quantity);
-                      const bool has_class = quantity != Quantity::intensity || (!values.empty() && values[index] > 0);
-                      if (!values.empty() && has_class)
-                          raise(greatest.values[cell], static_cast<double>(values[index]));
-                  });
-    return greatest;
+    return worst_of(members, grid, [&](const UnionMember&, const MemberRecord& record, std::size_t index) {
+        const std::vector<float>& values = record.of(quantity);
+        const double value = values.empty() ? k_no_data : static_cast<double>(values[index]);
+        return quantity == Quantity::intensity && !(value > 0) ? k_no_data : value;
+    });
 }
 
 Raster earliest_arrival(const std::vector<UnionMember>& members, const GridSpec& grid) {
-    Raster earliest(grid, k_no_data);
-    for_each_cell(members, grid,
-                  [&](const UnionMember&, const MemberRecord& record, std::size_t cell, std::size_t index) {
-                      const auto arrival = static_cast<double>(record.arrival[index]);
-                      if (!std::isfinite(arrival)) return;
-                      double& first = earliest.values[cell];
-                      first = std::isnan(first) ? arrival : std::min(first, arrival);
-                  });
+    Raster earliest = worst_of(members, grid, [](const UnionMember&, const MemberRecord& record, std::size_t index) {
+        const auto arrival = static_cast<double>(record.arrival[index]);
+        return std::isfinite(arrival) ? -arrival : k_no_data;
+    });
+    earliest.values.for_each_stored([&](std::size_t cell, double value) { earliest.values[cell] = -value; });
     return earliest;
 }
 
 Raster worst_degree(const std::vector<UnionMember>& members, const GridSpec& grid, const DegreeMatrix& degrees) {
-    Raster worst(grid, k_no_data);
-    for_each_cell(
-        members, grid, [&](const UnionMember& member, const MemberRecord& record, std::size_t cell, std::size_t index) {
-            if (record.intensity.empty() || !(record.intensity[index] >= 1) || !member.return_period) return;
-            raise(worst.values[cell],
-                  static_cast<double>(degrees.of(static_cast<int>(record.intensity[index]), *member.return_period)));
-        });
-    return worst;
+    return worst_of(members, grid, [&](const UnionMember& member, const MemberRecord& record, std::size_t index) {
+        if (record.intensity.empty() || !(record.intensity[index] >= 1) || !member.return_period) return k_no_data;
+        return static_cast<double>(degrees.of(static_cast<int>(record.intensity[index]), *member.return_period));
+    });
 }
 
 namespace {
@@ -105,22 +102,6 @@ Arrived arrived_of(std::span<const float> values, const std::vector<double>& wei
     }
     for (double& weight : arrived.weights) weight /= sum;
     return arrived;
-}
-
-void add_moments(std::span<const float> values, const std::vector<double>& weights, std::size_t cell,
-                 QuantityMaps& maps) {
-    double mean = 0, squares = 0, hits = 0;
-    for (std::size_t m = 0; m < values.size(); ++m) {
-        mean += weights[m] * static_cast<double>(values[m]);
-        hits += values[m] > 0 ? 1 : 0;
-    }
-    for (std::size_t m = 0; m < values.size(); ++m) {
-        const double difference = static_cast<double>(values[m]) - mean;
-        squares += weights[m] * difference * difference;
-    }
-    maps.mean.values[cell] = mean;
-    maps.deviation.values[cell] = std::sqrt(squares);
-    maps.hits.values[cell] = hits;
 }
 
 }  // namespace
@@ -170,7 +151,7 @@ QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, co
         const double margin = members.size() > 0 ? estimate.probability(nowhere, 0).margin : 1;
         maps.margin.assign(thresholds.size(), Raster(grid, margin));
     }
-    if (has_distribution) maps.mean = maps.deviation = maps.hits = Raster(grid, k_no_data);
+    if (has_distribution) maps.hits = Raster(grid, k_no_data);
     if (has_distribution || arrival) maps.quantile.assign(std::size(k_study_quantiles), Raster(grid, k_no_data));
     if (members.size() == 0) return maps;
     std::vector<std::size_t> order;
@@ -193,7 +174,8 @@ QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, co
             const double value = weighted_quantile(values, members.weights, k_study_quantiles[q].fraction, order);
             if (value > 0) maps.quantile[q].values[cell] = value;
         }
-        add_moments(values, members.weights, cell, maps);
+        maps.hits.values[cell] =
+            static_cast<double>(std::count_if(values.begin(), values.end(), [](float v) { return v > 0; }));
     });
     return maps;
 }
@@ -232,12 +214,11 @@ std::vector<std::optional<Raster>> quantile_bounds(const OpenRuns& runs, Quantit
     return bounds;
 }
 
-ErrorSummary error_of_first(const FinishedMembers& members, std::size_t count, Quantity quantity, const GridSpec& grid,
-                            const std::vector<double>& thresholds) {
-    const FinishedMembers first = members.first(count);
-    const MeanEstimate estimate(first);
+ErrorSummary error_of(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
+                      const std::vector<double>& thresholds) {
+    const MeanEstimate estimate(members);
     ErrorSummary all;
-    for_each_reached_cell(first, quantity, grid, [&](std::size_t, std::span<const float> values) {
+    for_each_reached_cell(members, quantity, grid, [&](std::size_t, std::span<const float> values) {
         for (const double threshold : thresholds) all.add(estimate.probability(values, threshold));
     });
     return all;

@@ -66,7 +66,6 @@ struct QuantityMaps {
     std::vector<Raster> margin;       ///< Estimate::margin
     ErrorSummary errors;              ///< of all thresholds
     std::vector<Raster> quantile;     ///< for each of k_study_quantiles; NaN where it is 0
-    Raster mean, deviation;           ///< with 0 where a member did not come
     Raster hits;                      ///< number of members that came
 };
 
@@ -85,8 +84,8 @@ std::vector<Raster> probability_bounds(const std::vector<Raster>& probability, c
 /// the runs that are not open.
 std::vector<std::optional<Raster>> quantile_bounds(const OpenRuns& runs, Quantity quantity, const GridSpec& grid);
 
-/// The standard errors of the first members alone, of one quantity and all thresholds, without keeping maps.
-ErrorSummary error_of_first(const FinishedMembers& members, std::size_t count, Quantity quantity, const GridSpec& grid,
-                            const std::vector<double>& thresholds);
+/// The standard errors alone, of one quantity and all thresholds, without keeping maps.
+ErrorSummary error_of(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
+                      const std::vector<double>& thresholds);
 
 }  // namespace frana::app::study

@@ -129,7 +129,7 @@ samples = 1
 refine = 100
 coarse = 2
 until = 0.02
-sampling = morris
+sampling = importance
 [objective]
 jacard = 1
 area = -1
@@ -155,14 +155,14 @@ material.turbulence = uniform(100, 200)
 key = 1
 )");
     const std::vector<Problem>& all = reading.problems.list();
-    EXPECT_EQ(all.size(), 22U);
+    EXPECT_EQ(all.size(), 23U);
     EXPECT_TRUE(has_problem(all, "study.samples", "1", "2 to 1000000"));
     EXPECT_TRUE(has_problem(all, "study.refine", "100"));
     EXPECT_TRUE(has_problem(all, "study.coarse", "2"));
     const auto refine = std::find_if(all.begin(), all.end(), [](const Problem& one) { return one.value == "100"; });
     EXPECT_NE(refine->remedy.find("study.samples"), std::string::npos) << refine->remedy;  // what replaced it
     EXPECT_TRUE(has_problem(all, "study.until", "0.02"));
-    EXPECT_TRUE(has_problem(all, "study.sampling", "morris", "sobol, random"));
+    EXPECT_TRUE(has_problem(all, "study.sampling", "importance", "sobol, random"));
     EXPECT_TRUE(has_problem(all, "objective.jacard", "1"));
     EXPECT_TRUE(has_problem(all, "objective.area", "-1", "0 to 1e+06"));
     EXPECT_TRUE(has_problem(all, "objective.exponent", "0", "0.1 to 1000"));

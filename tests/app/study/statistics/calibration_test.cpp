@@ -148,7 +148,6 @@ TEST(Posterior, WithoutSurveysIntervalsAreThoseOfTheDistributions) {
     EXPECT_NEAR(keys[1].median, 150, 1);
     EXPECT_NEAR(keys[1].high, 195, 1);
     EXPECT_NEAR(keys[1].width, 1, 0.01);
-    EXPECT_NE(sentences(keys, {})[1].text().find("material.turbulence is 105"), std::string::npos);
 }
 
 TEST(Posterior, PlacesFarBelowTheGreatestWeightHaveNone) {
@@ -208,12 +207,10 @@ TEST(Posterior, KeysOnARidgeCannotBeToldApart) {
     const auto pairs = indistinct_pairs(keys, weights);
     ASSERT_EQ(pairs.size(), 1U);
     EXPECT_LT(pairs[0].correlation, -0.95);
-    const auto said = sentences(key_posteriors(keys, weights), pairs);
-    EXPECT_TRUE(std::any_of(said.begin(), said.end(), [](const Sentence& one) {
-        const std::string text = one.text();
-        return text.find("cannot tell material.friction-coefficient from material.turbulence") != std::string::npos &&
-               text.find("smaller values of the other") != std::string::npos;
-    }));
+    EXPECT_TRUE(sentences(key_posteriors(keys, weights), pairs)
+                    .front()
+                    .text()
+                    .starts_with("material.friction-coefficient, material.turbulence: correlation -0.9"));
 }
 
 TEST(Posterior, ChoicesHaveProbabilities) {
