@@ -51,6 +51,7 @@ enum class Sampling {
     sobol,
     random,
     importance,
+    morris,
     table,
     polygons  ///< of a region: no sampling, each polygon of the release perimeter is a member
 };
@@ -63,7 +64,8 @@ struct SamplingMethod {
     Sampling sampling;
     const char* name;  ///< of samples and designs in study.sampling
     Kind kind;
-    bool replicated = false;  ///< drawn in k_replicates parts that are randomised independently of each other
+    bool replicated = false;        ///< drawn in k_replicates parts that are randomised independently of each other
+    std::size_t more_in_group = 0;  ///< its members form groups of so many more than there are keys; 0: no groups
 };
 /// Members of an even design depend on each other, so that their number does not tell how sure their mean is. Parts of
 /// it that are randomised independently do: from the scatter of their means follows the standard error (Owen 1997,
@@ -73,6 +75,7 @@ inline constexpr SamplingMethod k_samplings[] = {
     {Sampling::sobol, "sobol", SamplingMethod::Kind::sample, true},
     {Sampling::random, "random", SamplingMethod::Kind::sample},
     {Sampling::importance, "importance", SamplingMethod::Kind::design, true},
+    {Sampling::morris, "morris", SamplingMethod::Kind::design, true, 1},
     {Sampling::table, "table", SamplingMethod::Kind::given},
     {Sampling::polygons, "per-polygon", SamplingMethod::Kind::given}};
 
@@ -134,6 +137,11 @@ struct StudySpec {
     std::vector<Correlation> correlate;
     std::optional<RegionSpec> region;  ///< a polygon for each member
 
+    /// Members of a group of its sampling; 0: no groups.
+    [[nodiscard]] std::size_t group_size() const noexcept {
+        const std::size_t more = method_of(sampling).more_in_group;
+        return more == 0 ? 0 : vary.size() + more;
+    }
     /// Whether more members may follow the last one, with the same ones before them.
     [[nodiscard]] bool is_extensible() const noexcept {
         return method_of(sampling).kind == SamplingMethod::Kind::sample;

@@ -14,7 +14,7 @@ from ..outputs import ENSEMBLE, declare
 from ..translation import tr
 from .study import StudyAlgorithm, by_key, section, vary_parameter
 
-_SAMPLINGS = ["sobol", "random", "importance"]
+_SAMPLINGS = ["sobol", "random", "importance", "morris"]
 
 
 class EnsembleAlgorithm(StudyAlgorithm):

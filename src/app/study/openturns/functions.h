@@ -22,6 +22,10 @@ struct KeySensitivity {
     std::optional<Interval> first_order, total;  ///< Sobol' indices: fractions of the variance
     /// Spearman's rank correlation; of a key without order the correlation ratio, which has no interval.
     std::optional<Interval> rank_correlation;
+    /// Of Morris' design: mean of the absolute changes of the figure when the key alone moves by half of its
+    /// distribution (mu*), and the standard deviation of the changes with their signs (sigma), in the figure's unit.
+    std::optional<Interval> effect;
+    double effect_scatter = 0;
     std::string method;  ///< of the fractions of variance: "polynomial chaos", or why there are none
 };
 
@@ -69,8 +73,8 @@ struct OpenturnsFunctions {
     /// Values of a distribution of numbers at places in (0, 1).
     std::vector<double> (*quantiles)(const Distribution& distribution, const std::vector<double>& places);
     /// Places of a study's members, independent in each coordinate. Replicated: in parts that are randomised
-    /// independently; member i is from part i % k_replicates, and the first places are those of fewer samples.
-    /// Otherwise as even as can be.
+    /// independently; member i (of Morris' design: group i) is from part i % k_replicates, and of `sobol` and
+    /// `random` the first places are those of fewer samples. Otherwise as even as can be.
     Places (*independent_places)(const StudySpec& study, bool is_replicated);
     /// Gives places the rank correlations of a study; each coordinate stays even in (0, 1). False: no distribution has
     /// these correlations.

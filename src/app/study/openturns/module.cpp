@@ -90,10 +90,24 @@ Places sobol_points(std::size_t count, std::size_t coordinates, std::int64_t see
     return places;
 }
 
+/// Morris' design (1991) as Campolongo, Saltelli & Cariboni (2011) place it: points, then each key alone moved, here by
+/// half of its distribution, so that every matrix is as even as the first one.
+Places morris_points(std::size_t groups, std::size_t keys, std::int64_t seed) {
+    const Places points = sobol_points(groups, keys, seed);
+    Places places = points;
+    for (std::size_t k = 0; k < keys; ++k)
+        for (std::vector<double> place : points) {
+            place[k] += place[k] < 0.5 ? 0.5 : -0.5;
+            places.push_back(std::move(place));
+        }
+    return places;
+}
+
 /// OpenturnsFunctions::independent_places.
 Places independent_places(const StudySpec& study, bool is_replicated) {
     OT::TBB::SetThreadsNumber(1);
     const std::size_t keys = study.vary.size(), count = static_cast<std::size_t>(study.samples);
+    if (const std::size_t size = study.group_size(); size > 0) return morris_points(count / size, keys, study.seed);
     if (study.sampling == Sampling::sobol && is_replicated) return sobol_points(count, keys, study.seed);
     const OT::ComposedDistribution cube{OT::Collection<OT::Distribution>(keys, OT::Uniform(0, 1))};
     OT::RandomGenerator::SetSeed(static_cast<OT::UnsignedInteger>(study.seed));

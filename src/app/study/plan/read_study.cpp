@@ -29,8 +29,7 @@ constexpr const char* k_table_word = "table:";
 constexpr std::pair<const char*, const char*> k_gone_samplings[] = {
     {"latin-hypercube", "Write sampling = sobol: it is at least as certain with as many runs"},
     {"grid", "Write sampling = sobol, or table:FILE.csv with the combinations as rows"},
-    {"saltelli", "Write sampling = sobol: its sensitivities need 64 runs, not thousands"},
-    {"morris", "Write sampling = sobol: sensitivity.csv tells each key's part and what the keys do not explain"}};
+    {"saltelli", "Write sampling = sobol: its sensitivities need 64 runs, not thousands"}};
 constexpr std::pair<const char*, const char*> k_gone_keys[] = {
     {"study.levels", "Remove it: sampling = sobol is as certain at the same cost"},
     {"study.per-polygon", "Write a region, whose polygons each fail alone, and run it with `frana batch`"}};
@@ -292,6 +291,14 @@ void StudyReader::check_sampling() {
     if (study.until && method.kind != Kind::sample)
         refuse_for("cannot be stopped before its last member by study.until",
                    "Remove study.until, or choose sobol or random");
+    if (method.more_in_group > 0 && !study.vary.empty()) {
+        const auto group = static_cast<std::int64_t>(study.group_size());
+        if (study.samples % group != 0 || study.samples / group < 2)
+            add_problem({"is not a multiple of the keys plus " + std::to_string(method.more_in_group) +
+                             ", which sampling = " + method.name + " needs",
+                         where("study.samples"), std::to_string(study.samples), "",
+                         "Write " + std::to_string(std::max<std::int64_t>(2, study.samples / group) * group)});
+    }
     const bool in_rounds = study.sampling == Sampling::importance;
     if (in_rounds && !study.rare_place)
         refuse_for("needs a place that is seldom reached",

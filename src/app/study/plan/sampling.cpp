@@ -209,6 +209,7 @@ SampleTable draw_samples(const StudySpec& study, const std::string& label, Probl
         drawn.samples = round_end(study, 0);
     }
     SampleTable table = samples_at(study, draw_places(drawn, true), label, problems);
+    if (const std::size_t size = study.group_size(); size > 0) table.groups = table.size() / size;
     table.is_replicated = method_of(study.sampling).replicated;
     for (std::size_t i = 0; i < table.size() && in_rounds; ++i) table.parts.push_back(i % k_replicates);
     return table;

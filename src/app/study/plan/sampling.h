@@ -38,7 +38,10 @@ struct SampleTable {
     std::vector<double> weights;       ///< by member, greater than 0
     std::vector<TableColumn> columns;  ///< of the table that was read; empty: drawn
     Places places;                     ///< of the values in their distributions; none: of a table
-    bool is_replicated = false;        ///< SamplingMethod::replicated
+    /// Members i, i + n, i + 2n, ... form group i of n groups of Morris' design: a point, then each key alone moved by
+    /// half of its distribution. 0: members are independent of each other.
+    std::size_t groups = 0;
+    bool is_replicated = false;  ///< SamplingMethod::replicated
     /// Of importance sampling, by member: k_replicates times its round, and the part of the round. Empty: one round.
     std::vector<std::size_t> parts;
 
@@ -46,7 +49,7 @@ struct SampleTable {
     /// The part of a replicated design that a member is from.
     [[nodiscard]] std::size_t replicate_of(std::size_t member) const noexcept {
         if (!parts.empty()) return parts[member];
-        return member % k_replicates;
+        return (groups > 0 ? member % groups : member) % k_replicates;
     }
     /// Returns "key=value" of a member.
     [[nodiscard]] std::vector<std::string> overrides(std::size_t member) const;

@@ -139,25 +139,44 @@ OpenRuns open_runs(const StudyInput& input, const RecordFiles& records, const St
     return all;
 }
 
-DesignPoints points_of(const StudyInput& input, const StudyResult& result) {
+/// Groups of a design of which every member finished; each gets the next number.
+std::map<std::size_t, std::size_t> whole_groups(const StudyInput& input, const StudyResult& result) {
+    std::map<std::size_t, std::size_t> counts, numbers;
+    for (const std::size_t place : result.finished_at) ++counts[result.members[place].member % input.table.groups];
+    for (const auto& [group, count] : counts)
+        if (count == input.reading.study.group_size()) numbers.emplace(group, numbers.size());
+    return numbers;
+}
+
+void choose_design(const StudyInput& input, const RecordFiles& records, StudyResult& result) {
     const SampleTable& table = input.table;
-    DesignPoints points;
-    points.nominal = table.nominal;
-    for (const std::size_t place : result.finished_at) {
-        const std::size_t member = result.members[place].member;
-        points.numbers.push_back(table.numbers[member]);
-        if (!table.places.empty()) points.places.push_back(table.places[member]);
+    result.points.nominal = table.nominal;
+    if (table.groups > 0) {
+        const auto groups = whole_groups(input, result);
+        for (const std::size_t place : result.finished_at) {
+            const std::size_t member = result.members[place].member;
+            if (groups.count(member % table.groups) > 0)
+                add_finished(input, records, member, place, result.design, result.design_at);
+        }
+        result.design.store = result.finished.store;
+        result.groups = groups.size();
+    } else {
+        result.design = result.finished;
+        result.design_at = result.finished_at;
     }
-    if (table.places.empty()) points.places = rank_places(points);
-    points.are_dependent = !input.reading.study.correlate.empty() || are_correlated(points);
-    return points;
+    for (const std::size_t place : result.design_at)
+        result.points.numbers.push_back(table.numbers[result.members[place].member]);
+    for (const std::size_t place : result.design_at)
+        if (!table.places.empty()) result.points.places.push_back(table.places[result.members[place].member]);
+    if (table.places.empty()) result.points.places = rank_places(result.points);
+    result.points.are_dependent = !input.reading.study.correlate.empty() || are_correlated(result.points);
 }
 
 }  // namespace
 
 bool StudyResult::equal_weights() const {
-    return std::all_of(finished.weights.begin(), finished.weights.end(),
-                       [&](double weight) { return weight == finished.weights.front(); });
+    return std::all_of(design.weights.begin(), design.weights.end(),
+                       [&](double weight) { return weight == design.weights.front(); });
 }
 
 std::vector<RunOfStudy> StudyResult::runs() const {
@@ -221,7 +240,7 @@ StudyResult read_study_result(const StudyInput& input, const std::string& folder
     scale_weights(result.finished);
     result.open = open_runs(input, records, result);
     result.finished.store = result.open.runs.store;
-    result.points = points_of(input, result);
+    choose_design(input, records, result);
     result.grid = input.base.scene.grid;
     return result;
 }
@@ -264,13 +283,18 @@ bool is_field_of_error(const StudyInput& input, std::size_t key) {
 }
 
 std::vector<FigureSensitivity> sensitivities(const StudyInput& input, const StudyResult& result) {
+    const bool is_morris = input.reading.study.sampling == Sampling::morris;
     std::vector<FigureSensitivity> all;
-    if (result.finished_at.size() < 2 || !result.equal_weights()) return all;
+    if (result.design_at.size() < 2 || !result.equal_weights()) return all;
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
-        const std::vector<double> output = result.figure(f);
+        std::vector<double> output;
+        for (const std::size_t place : result.design_at) output.push_back(result.members[place].figures[f].value);
         if (std::adjacent_find(output.begin(), output.end(), std::not_equal_to<>()) == output.end()) continue;
         const Chaos chaos = openturns().chaos(result.points, {output}, {}).front();
-        FigureSensitivity one{result.figures()[f], rank_correlations(result.points, output), chaos.q2};
+        FigureSensitivity one{result.figures()[f], {}, chaos.q2};
+        one.keys = !is_morris          ? rank_correlations(result.points, output)
+                   : result.groups > 1 ? elementary_effects(result.points, output, result.groups)
+                                       : std::vector<KeySensitivity>(result.points.nominal.size());
         for (std::size_t k = 0; k < one.keys.size(); ++k) {
             KeySensitivity& key = one.keys[k];
             constexpr double k_none = std::numeric_limits<double>::quiet_NaN();

@@ -62,15 +62,20 @@ struct StudyResult {
     std::vector<MemberResult> members;
     FinishedMembers finished;              ///< whose maps are used
     std::vector<std::size_t> finished_at;  ///< their places in `members`
-    DesignPoints points;                   ///< of the finished members
-    GridSpec grid;                         ///< of all maps
-    OpenRuns open;                         ///< all runs, in the order of `members`
+    /// Members of whole groups of Morris' design, or all finished ones: those that sensitivities use. `groups`: rows of
+    /// the first matrix among them, 0 if the members are independent.
+    FinishedMembers design;
+    std::vector<std::size_t> design_at;
+    DesignPoints points;
+    std::size_t groups = 0;
+    GridSpec grid;  ///< of all maps
+    OpenRuns open;  ///< all runs, in the order of `members`
 
     /// All members, as far as they may mislead.
     [[nodiscard]] std::vector<RunOfStudy> runs() const;
     /// Members without a result.
     [[nodiscard]] std::size_t failed() const noexcept;
-    /// Whether the finished members count alike: only then are there sensitivities.
+    /// Whether the members that sensitivities use count alike: only then are there any.
     [[nodiscard]] bool equal_weights() const;
     /// Returns a figure of the finished members, in their order.
     [[nodiscard]] std::vector<double> figure(std::size_t index) const;
@@ -106,7 +111,7 @@ std::optional<RarePlace> rare_place_of(const StudyInput& input, const StudyResul
 /// Returns the standard error by which study.until decides, of the first members.
 double largest_error(const StudyInput& input, const StudyResult& result);
 
-/// The row of what polynomials of the keys leave of a figure's variance, with what a field of error adds.
+/// What stands for a field of error in place of a method.
 inline constexpr const char* k_not_explained = "not explained";
 /// Returns the sensitivities of all figures that vary.
 std::vector<FigureSensitivity> sensitivities(const StudyInput& input, const StudyResult& result);

@@ -76,26 +76,31 @@ std::optional<render::Chart> sensitivity(const ChartData& data, const std::strin
         std::any_of(data.sensitivities.begin(), data.sensitivities.end(), [](const FigureSensitivity& figure) {
             return std::any_of(figure.keys.begin(), figure.keys.end(), [](const auto& one) { return one.total; });
         });
+    const bool by_effects = data.sensitivities.front().keys.front().effect.has_value();
     render::Chart chart = chart_sheet(
         source, title,
-        words(by_indices ? worded("bar: fraction of the variance with other keys (total Sobol' index), circle: alone")
-                         : worded("bar: rank correlation with the figure, thin line: its interval of 95 %")),
+        words(by_effects   ? worded("bar: mean change when the key alone moves by half of its distribution (mu* of "
+                                      "Morris), thin line: its interval of 95 %")
+              : by_indices ? worded("bar: fraction of the variance with other keys (total Sobol' index), circle: alone")
+                           : worded("bar: rank correlation with the figure, thin line: its interval of 95 %")),
         "sensitivity.csv", std::min(k_most_panels, data.sensitivities.size()));
     for (const FigureSensitivity& figure : data.sensitivities) {
         if (chart.panels.size() == k_most_panels) break;
-        render::ChartPanel panel{figure_title(figure.figure, words),
-                                 words(by_indices ? worded("fraction of the variance [-]") : worded("correlation [-]")),
-                                 "",
-                                 {}};
+        render::ChartPanel panel{
+            figure_title(figure.figure, words),
+            by_effects ? axis_label(figure.figure, words)
+                       : words(by_indices ? worded("fraction of the variance [-]") : worded("correlation [-]")),
+            "",
+            {}};
         panel.note =
             words(figure.q2 < k_least_q2 ? worded("the members do not tell it") : worded("the figure does not vary"));
         const double count = static_cast<double>(figure.keys.size());
         panel.has_rows = true;
         panel.on_y = {0.5, count + 0.5};
-        panel.on_x = {by_indices ? 0 : -1.05, 1.05};
+        if (!by_effects) panel.on_x = {by_indices ? 0 : -1.05, 1.05};
         for (std::size_t k = 0; k < figure.keys.size(); ++k) {
             const KeySensitivity& one = figure.keys[k];
-            const auto& value = by_indices ? one.total : one.rank_correlation;
+            const auto& value = by_effects ? one.effect : by_indices ? one.total : one.rank_correlation;
             if (!value) continue;
             const double y = count - static_cast<double>(k);
             const Rgb colour = k_colours[k % std::size(k_colours)];
@@ -103,7 +108,7 @@ std::optional<render::Chart> sensitivity(const ChartData& data, const std::strin
             panel.series.push_back(std::move(bar));
             if (std::isfinite(value->low))
                 panel.series.push_back({"", {20, 20, 20}, {{value->low, y}, {value->high, y}}, 1.6});
-            if (!by_indices) continue;
+            if (by_effects || !by_indices) continue;
             render::ChartSeries first{"", {20, 20, 20}, {{one.first_order->value, y}}, 1};
             first.marker = render::Marker::circle;
             panel.series.push_back(std::move(first));
@@ -385,10 +390,10 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
     const QuantityMaps arrival = quantity_maps(result.finished, Quantity::arrival, result.grid, {});
     for (std::size_t q = 0; q < arrival.quantile.size(); ++q)
         writer.write(std::string("quantile_arrival_time_") + k_study_quantiles[q].name, arrival.quantile[q]);
-    if (!result.equal_weights() || result.finished_at.size() < 2 || result.points.are_dependent) return;
+    if (!result.equal_weights() || result.design_at.size() < 2 || result.points.are_dependent) return;
     const double threshold = output.depth_thresholds.empty() ? 0 : output.depth_thresholds.front();
     const std::vector<Raster> fractions =
-        outline_fractions(result.finished, result.points, Quantity::depth, threshold, result.grid);
+        outline_fractions(result.design, result.points, Quantity::depth, threshold, result.grid);
     for (std::size_t k = 0; k < fractions.size(); ++k)
         if (!is_field_of_error(input, k)) writer.write("sensitivity_" + input.table.keys[k], fractions[k]);
 }

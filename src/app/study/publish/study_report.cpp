@@ -311,8 +311,31 @@ std::string interval_text(const std::optional<Interval>& one, const Words& words
     return words("{1} ({2} to {3})", {number(one->value, 2), number(one->low, 2), number(one->high, 2)});
 }
 
+/// Of Morris' design, the greatest effects on a figure first.
+Document effects_table(const StudyInput& input, const std::vector<FigureSensitivity>& figures, const Words& words) {
+    const ReportNumbers number(words);
+    Table table({words("value"), words("key"), words("mean change"), words("deviation"), ""});
+    for (const FigureSensitivity& figure : figures) {
+        std::vector<std::size_t> order(figure.keys.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return figure.keys[a].effect->value > figure.keys[b].effect->value;
+        });
+        for (const std::size_t k : order) {
+            const KeySensitivity& one = figure.keys[k];
+            table.row({figure_title(figure.figure, words), input.table.keys[k], interval_text(one.effect, words),
+                       number(one.effect_scatter, 2), ReportNumbers::unit(figure.figure.unit)});
+        }
+    }
+    return Document().add(table).small(
+        words("Mean change: by how much the value changes on average when the key alone moves by half of its "
+              "distribution, without sign (mu* of Morris), in brackets the interval of 95 %. A deviation as large as "
+              "it: the change depends on where the key is and on the others."));
+}
+
 Document sensitivity_table(const StudyInput& input, const std::vector<FigureSensitivity>& figures, bool are_dependent,
                            const Words& words) {
+    if (!figures.empty() && figures.front().keys.front().effect) return effects_table(input, figures, words);
     const ReportNumbers number(words);
     Table table({words("value"), words("key"), words("first order"), words("total"), words("rank correlation"), "Q2"});
     for (const FigureSensitivity& figure : figures) {

@@ -88,8 +88,9 @@ std::string members_csv(const StudyInput& input, const StudyResult& result) {
 }
 
 std::string sensitivity_csv(const StudyInput& input, const std::vector<FigureSensitivity>& figures) {
-    std::string text = csv_line({"figure", "key", "first_order", "total", "low", "high", "total_low", "total_high",
-                                 "rank_correlation", "rank_low", "rank_high", "method", "q2"});
+    std::string text =
+        csv_line({"figure", "key", "first_order", "total", "low", "high", "total_low", "total_high", "rank_correlation",
+                  "rank_low", "rank_high", "method", "q2", "effect", "effect_low", "effect_high", "effect_deviation"});
     for (const FigureSensitivity& figure : figures) {
         for (std::size_t k = 0; k < figure.keys.size(); ++k) {
             const KeySensitivity& one = figure.keys[k];
@@ -101,11 +102,13 @@ std::string sensitivity_csv(const StudyInput& input, const std::vector<FigureSen
                               of(one.first_order, &Interval::high), of(one.total, &Interval::low),
                               of(one.total, &Interval::high), of(one.rank_correlation, &Interval::value),
                               of(one.rank_correlation, &Interval::low), of(one.rank_correlation, &Interval::high),
-                              one.method.empty() ? "not measurable" : one.method, cell(figure.q2)});
+                              one.method.empty() ? "not measurable" : one.method, cell(figure.q2),
+                              of(one.effect, &Interval::value), of(one.effect, &Interval::low),
+                              of(one.effect, &Interval::high), one.effect ? cell(one.effect_scatter) : ""});
         }
         if (!std::isnan(figure.q2))
             text += csv_line({figure.figure.key, k_not_explained, shortest_text(std::min(1.0, 1 - figure.q2)), "", "",
-                              "", "", "", "", "", "", "polynomial chaos", cell(figure.q2)});
+                              "", "", "", "", "", "", "polynomial chaos", cell(figure.q2), "", "", "", ""});
     }
     return text;
 }

@@ -81,6 +81,31 @@ std::vector<double> column_of(const DesignPoints& points, std::size_t key) {
 
 }  // namespace
 
+std::vector<KeySensitivity> elementary_effects(const DesignPoints& points, const std::vector<double>& output,
+                                               std::size_t groups) {
+    const auto count = static_cast<double>(groups);
+    std::vector<KeySensitivity> all(points.nominal.size());
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        double mean = 0, absolute = 0, squares = 0;
+        for (std::size_t i = 0; i < groups; ++i) {
+            const std::size_t moved = (k + 1) * groups + i;
+            const double change =
+                (output[moved] - output[i]) * (points.places[moved][k] > points.places[i][k] ? 1 : -1);
+            mean += change / count;
+            absolute += std::abs(change) / count;
+            squares += change * change;
+        }
+        // Of the absolute values the squares are the same.
+        const auto deviation = [&](double of) {
+            return std::sqrt(std::max(0.0, squares - count * of * of) / (count - 1));
+        };
+        const double half = k_normal * deviation(absolute) / std::sqrt(count);
+        all[k].effect = Interval{absolute, absolute - half, absolute + half};
+        all[k].effect_scatter = deviation(mean);
+    }
+    return all;
+}
+
 Places rank_places(const DesignPoints& points) {
     Places places(points.numbers.size(), std::vector<double>(points.nominal.size()));
     for (std::size_t k = 0; k < points.nominal.size(); ++k) {

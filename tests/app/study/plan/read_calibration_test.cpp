@@ -129,7 +129,7 @@ samples = 1
 refine = 100
 coarse = 2
 until = 0.02
-sampling = importance
+sampling = morris
 [objective]
 jacard = 1
 area = -1
@@ -162,7 +162,7 @@ key = 1
     const auto refine = std::find_if(all.begin(), all.end(), [](const Problem& one) { return one.value == "100"; });
     EXPECT_NE(refine->remedy.find("study.samples"), std::string::npos) << refine->remedy;  // what replaced it
     EXPECT_TRUE(has_problem(all, "study.until", "0.02"));
-    EXPECT_TRUE(has_problem(all, "study.sampling", "importance", "sobol, random"));
+    EXPECT_TRUE(has_problem(all, "study.sampling", "morris", "sobol, random"));
     EXPECT_TRUE(has_problem(all, "objective.jacard", "1"));
     EXPECT_TRUE(has_problem(all, "objective.area", "-1", "0 to 1e+06"));
     EXPECT_TRUE(has_problem(all, "objective.exponent", "0", "0.1 to 1000"));

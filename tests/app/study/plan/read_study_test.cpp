@@ -67,7 +67,7 @@ TEST_F(ReadStudy, RefusesWhatASamplingCannotDo) {
         "uniform(500, 900)\n";
     const std::string correlated = "[correlate]\nmaterial.turbulence material.friction-coefficient = 0.3\n";
     const std::string head = k_head;
-    for (const std::string gone : {"saltelli", "latin-hypercube", "grid", "morris"}) {
+    for (const std::string gone : {"saltelli", "latin-hypercube", "grid"}) {
         const std::vector<Problem> all = problems(head + "sampling = " + gone + "\n" + two);
         ASSERT_TRUE(has_problem(all, "study.sampling", gone)) << gone;
         EXPECT_NE(all.front().remedy.find("Write sampling = sobol"), std::string::npos) << all.front().remedy;
@@ -78,9 +78,14 @@ TEST_F(ReadStudy, RefusesWhatASamplingCannotDo) {
     const std::vector<Problem> polygons = problems(head + "per-polygon = on\n" + two);
     ASSERT_TRUE(has_problem(polygons, "study.per-polygon", "on"));
     EXPECT_NE(polygons.front().remedy.find("frana batch"), std::string::npos);
+    EXPECT_TRUE(has_problem(problems(head + "sampling = morris\nsamples = 100\n" + two), "study.samples", "100"));
+    EXPECT_TRUE(has_problem(problems(head + "sampling = morris\nsamples = 30\n" + two + correlated), "study.sampling",
+                            "morris"));
     EXPECT_TRUE(
         has_problem(problems(head + two + correlated + "material.friction-coefficient material.turbulence = -0.3\n"),
                     "correlate.material.friction-coefficient material.turbulence", "-0.3"));
+    EXPECT_TRUE(has_problem(problems(head + "sampling = morris\nsamples = 30\nuntil = 0.02\n" + two), "study.sampling",
+                            "morris"));
     EXPECT_TRUE(has_problem(problems(head + "sampling = table:t.csv\n" + two), "study.sampling"));
     const std::string rare = "sampling = importance\nrare-place = house\n";
     EXPECT_TRUE(problems(head + rare + two).empty());
