@@ -93,7 +93,7 @@ inline void check_particle_count(double count, const std::string& where, Problem
 struct EngineScene {
     SceneSpec spec;
     frana::Scene scene;
-    std::vector<std::string> warnings;
+    std::optional<GroundStatistics> release_ground;
 };
 
 /// Throws the engine's Error(input) with every problem of the scene, in the words of scene files.

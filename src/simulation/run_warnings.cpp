@@ -20,8 +20,6 @@
 namespace frana {
 namespace {
 
-using Warnings = std::vector<RunWarning>;
-
 constexpr double k_shown_fraction = 0.05;  // relative difference of a raster's volume from the flow's without a warning
 constexpr double k_jumping = 0.05;         // of all volume, over all jumps
 // Greatest rise of energy without a warning, of the work of gravity: a mass slides as much farther.
@@ -40,10 +38,6 @@ constexpr double k_steep_path = 45;
 const char* const k_steep_remedy = worded(
     "Elevations in feet or decimetres read as metres look like this: check the elevations above against a map, "
     "terrain.vertical-unit, and the DTM for steps and towers");
-
-void append(Warnings& warnings, const std::vector<Sentence>& more, bool limits_use) {
-    for (const Sentence& words : more) warnings.push_back({words, limits_use});
-}
 
 Sentence percent(double fraction) {
     return numeral(number_text(100 * fraction, 2));
@@ -184,6 +178,30 @@ SurfaceStep greatest_step(const Raster& bed, const Raster& release) {
     return greatest;
 }
 
+/// The release must equal the volume of the raster that gives its thickness inside the perimeter.
+void warn_of_file_volume(const Scene& scene, const std::vector<ReleasedArea>& areas, Warnings& warnings) {
+    constexpr double k_scaled = 1.25, k_different = 0.01;
+    constexpr double k_of_this_mass = 0.5;  // inside: less, and the raster has the thickness of all ground
+    const FileVolume& file = *scene.file_volume;
+    if (!(file.inside > 0)) return;
+    double released = 0;
+    for (const ReleasedArea& area : areas) {
+        released += area.volume;
+        if (area.scaled > k_scaled || area.scaled < 1 / k_scaled)
+            warnings.push_back(
+                worded("the thickness was scaled by {1} to its file's volume: look for values that mean no data",
+                       {numeral(number_text(area.scaled, 3))}));
+    }
+    const double difference = released / file.inside - 1, part = file.inside / file.all;
+    if (part > k_of_this_mass && part < 1 - k_different)
+        warnings.push_back(
+            worded("the thickness raster contains {1} m3, the perimeter has {2} m3: {3} % are not released",
+                   {numeral(grouped(file.all)), numeral(grouped(file.inside)), percent(1 - part)}));
+    if (std::abs(difference) > k_different)
+        warnings.push_back(worded("release of {2} m3, thickness raster {1} m3 inside the perimeter ({3} %)",
+                                  {numeral(grouped(file.inside)), numeral(grouped(released)), percent(difference)}));
+}
+
 /// Extremes over all materials of a scene.
 struct Extremes {
     double cohesion = 0;      ///< [Pa]
@@ -207,7 +225,7 @@ struct Extremes {
 };
 
 void warn_of_keys_without_effect(const StructuredMaterial& m, const Extremes& e, const KeyPlace& where,
-                                 const KeyTest& is_given, std::vector<Sentence>& warnings) {
+                                 const KeyTest& is_given, Warnings& warnings) {
     if (m.fluid_viscosity == 0) {
         for (const char* key : {"structured.mobility", "structured.viscosity-growth",
                                 "structured.solids-profile-factor", "structured.velocity-profile-factor"})
@@ -227,9 +245,9 @@ void warn_of_keys_without_effect(const StructuredMaterial& m, const Extremes& e,
 
 }  // namespace
 
-std::vector<Sentence> structured_warnings(const StructuredMaterial& m, double thickness, double cell_size,
-                                          const KeyPlace& where, const KeyTest& is_given) {
-    std::vector<Sentence> warnings;
+Warnings structured_warnings(const StructuredMaterial& m, double thickness, double cell_size, const KeyPlace& where,
+                             const KeyTest& is_given) {
+    Warnings warnings;
     const Extremes e(m);
     warn_of_keys_without_effect(m, e, where, is_given, warnings);
     if (e.bed_over_own > 1e-6)
@@ -265,8 +283,8 @@ std::vector<Sentence> structured_warnings(const StructuredMaterial& m, double th
     return warnings;
 }
 
-std::vector<Sentence> thin_release_warnings(const Raster& release, const Scene& scene) {
-    std::vector<Sentence> warnings;
+Warnings thin_release_warnings(const Raster& release, const Scene& scene) {
+    Warnings warnings;
     const auto warn = [&](const char* key, double depth, const char* then) {
         double thin = 0, all = 0;
         release.values.for_each_stored([&](std::size_t, double metres) {
@@ -276,8 +294,9 @@ std::vector<Sentence> thin_release_warnings(const Raster& release, const Scene& 
         });
         const double fraction = all > 0 ? thin / all : 0;
         if (fraction <= k_thin_fraction) return;
-        warnings.push_back(worded("{1} % of the release is thinner than {2} = {3} m: {4}",
-                                  {percent(fraction), key, shortest_text(depth), then}));
+        warnings.push_back({worded("{1} % of the release is thinner than {2} = {3} m: {4}",
+                                   {percent(fraction), key, shortest_text(depth), then}),
+                            true});
     };
     warn("numerics.minimum-depth", scene.numerics.minimum_depth,
          worded("maps and results do not include it; set the key to about a hundredth of the usual flow depth"));
@@ -300,9 +319,10 @@ double sure_friction(const SceneSpec& scene) {
            (1 - scene.material.pore_pressure(scene.material.density).greatest());
 }
 
-std::vector<Sentence> release_warnings(const Scene& scene, const Raster& bed, const Raster& release,
-                                       const std::vector<ReleasedArea>& areas, std::int64_t particles) {
-    std::vector<Sentence> warnings;
+Warnings release_warnings(const Scene& scene, const Raster& bed, const Raster& release,
+                          const std::vector<ReleasedArea>& areas, std::int64_t particles) {
+    Warnings warnings;
+    if (scene.file_volume) warn_of_file_volume(scene, areas, warnings);
     const bool by_raster = std::any_of(scene.release.begin(), scene.release.end(),
                                        [](const ReleaseArea& area) { return area.thickness_raster.has_value(); });
     const SurfaceStep step = greatest_step(bed, release);
@@ -335,7 +355,7 @@ Sentence released_sentence(const ReleasedArea& area, std::size_t index) {
         {name, numeral(grouped(area.volume)), numeral(grouped(area.area)), numeral(shortest_text(area.start))});
 }
 
-std::vector<RunWarning> run_warnings(const RunResult& result, const Scene& scene) {
+Warnings run_warnings(const RunResult& result, const Scene& scene) {
     Warnings warnings;
     for (std::size_t i = 0; i < result.released.size(); ++i)
         if (!result.released[i].failed)
@@ -353,13 +373,11 @@ std::vector<RunWarning> run_warnings(const RunResult& result, const Scene& scene
                             true});
     warn_of_gaps(result, scene, warnings);
     warn_of_motion(result, scene, warnings);
-    append(warnings, thin_release_warnings(result.raster("release"), scene), true);
+    warnings += thin_release_warnings(result.raster("release"), scene);
     warn_of_thin_flow(result, scene, warnings);
     warn_of_empty_trace(result, scene, warnings);
-    append(warnings,
-           release_warnings(scene, result.raster("bed"), result.raster("release"), result.released,
-                            result.particles_initial),
-           false);
+    warnings += release_warnings(scene, result.raster("bed"), result.raster("release"), result.released,
+                                 result.particles_initial);
     warn_of_energy(result, warnings);
     warn_of_piles(result, scene, warnings);
     const double shown = result.volume_shown;
@@ -386,6 +404,11 @@ std::vector<RunWarning> run_warnings(const RunResult& result, const Scene& scene
                  {numeral(grouped(result.volume_left)), percent(result.volume_left / result.volume_entered)}),
              true});
     }
+    const Raster trace = trace_mask(result.raster("max_depth"), scene.time.trace_threshold);
+    if (const auto path = ground_where(scene.terrain, trace, 0)) warnings += path_ground_warnings(*path);
+    if (result.jumps)
+        warnings.push_back(worded(k_flights_warning, {numeral(grouped(result.jumps->volume)),
+                                                      numeral(number_text(result.jumps->highest, 3))}));
     return warnings;
 }
 
@@ -398,15 +421,7 @@ void warn_of_jumps(const RunResult::Jumps& jumps, RunResult& result) {
          true, jumps.from});
 }
 
-std::vector<Sentence> sentences_of(const std::vector<RunWarning>& warnings, WarningsOn on) {
-    std::vector<Sentence> sentences;
-    for (const RunWarning& warning : warnings)
-        if (on == WarningsOn::pages || warning.limits_use) sentences.push_back(warning.words);
-    return sentences;
-}
-
 namespace {
-
 /// Whether a yield stress or cohesion at the bed holds a pile besides friction.
 bool holds_without_friction(const Material& material) {
     const std::vector<std::string> terms = bed_friction_terms(material);
@@ -463,16 +478,17 @@ Sentence ground_sentence(const GroundStatistics& ground) {
                    numeral(number_text(ground.mean_slope_deg, 2)), numeral(number_text(ground.steepest_slope_deg, 2))});
 }
 
-std::vector<Sentence> release_ground_warnings(const GroundStatistics& ground, double friction,
-                                              const Sentence& held_remedy) {
+Warnings release_ground_warnings(const GroundStatistics& ground, double friction, const Sentence& held_remedy) {
     if (ground.mean_slope_deg > k_steep_release)
         return {worded("the release is nearly vertical: {1}. {2}", {ground_sentence(ground), k_steep_remedy})};
     if (ground.mean_slope_deg < k_flat_release)
-        return {worded(
-            "the release is nearly flat: {1}. Check that perimeter and DTM belong to the same place (coordinate "
-            "reference systems), that the elevations are in metres (terrain.vertical-unit), and that the DTM has its "
-            "elevations there",
-            {ground_sentence(ground)})};
+        return {
+            worded("the release is nearly flat: {1}. Check that perimeter and DTM belong to the same place "
+                   "(coordinate "
+                   "reference systems), that the elevations are in metres (terrain.vertical-unit), and that "
+                   "the DTM has its "
+                   "elevations there",
+                   {ground_sentence(ground)})};
     const double angle = std::atan(friction) * 180 / std::numbers::pi;
     if (!(friction > 0) || ground.steepest_slope_deg >= angle) return {};
     return {
@@ -481,7 +497,7 @@ std::vector<Sentence> release_ground_warnings(const GroundStatistics& ground, do
                {ground_sentence(ground), numeral(number_text(angle, 3)), held_remedy})};
 }
 
-std::vector<Sentence> path_ground_warnings(const GroundStatistics& ground) {
+Warnings path_ground_warnings(const GroundStatistics& ground) {
     if (!(ground.mean_slope_deg > k_steep_path)) return {};
     return {
         worded("the path is steeper than those of landslides: {1}. {2}", {ground_sentence(ground), k_steep_remedy})};

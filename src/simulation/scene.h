@@ -15,6 +15,7 @@
 #include "core/geometry.h"
 #include "core/grid_spec.h"
 #include "core/raster.h"
+#include "core/words/warning.h"
 #include "params/keys/shared_values.h"
 
 namespace frana {
@@ -63,6 +64,12 @@ struct TimeControl : TimeValues {
     double stop_change = 0;
     double trace_threshold = k_trace_threshold;  ///< depth from which a cell belongs to that area [m]
     double frame_interval = 0;                   ///< [s]; 0: no frames
+};
+
+/// What a raster of thicknesses contains [m3].
+struct FileVolume {
+    double inside = 0;  ///< the perimeter
+    double all = 0;     ///< 0 if it is not known: a raster too large to be read whole
 };
 
 /// One area that fails, in map coordinates of the working CRS.
@@ -132,6 +139,8 @@ struct Scene {
     Numerics numerics;
     TimeControl time;
     Recording recording;
+    std::optional<FileVolume> file_volume;  ///< of the raster that gives the thickness; none: not known
+    Warnings warnings;                      ///< of its keys, files and ground; results pass them on
 };
 
 /// Cell of a local origin; rows counted from the south.

@@ -444,8 +444,8 @@ RunResult SteppedRun::finish() {
     result.volume_left = model_->volume_left();
     if (!arrivals_.done())
         result.notes.emplace_back("the run ended before all release areas had failed or all inflow had entered");
-    const std::vector<RunWarning> of_model = std::exchange(result.warnings, run_warnings(result, scene_));
-    result.warnings.insert(result.warnings.end(), of_model.begin(), of_model.end());
+    const Warnings of_model = std::exchange(result.warnings, run_warnings(result, scene_));
+    (result.warnings += of_model) += scene_.warnings;
     engine_.stop();
     result.engine_seconds = engine_.seconds();
     return std::move(result);

@@ -67,7 +67,7 @@ TEST(Run, FiniteVolumesNameWhatACliffWouldThrow) {
         scene.numerics.scheme = scheme;
         scene.terrain.values.change_each_stored([&](std::size_t cell, double& z) { z += cell % 120 < 40 ? cliff : 0; });
         const RunResult result = run(scene, {});
-        for (const RunWarning& warning : result.warnings)
+        for (const Warning& warning : result.warnings)
             if (warning.words.text().find("would leave the ground") != std::string::npos) {
                 EXPECT_TRUE(warning.limits_use);
                 EXPECT_NEAR(warning.place.value_or(Point{}).x, 600000 + 80, 4);
@@ -99,8 +99,8 @@ TEST(Run, APileThatFrictionDoesNotCarryIsNamed) {
     EXPECT_EQ(pile->place.x, 600041);
     EXPECT_EQ(pile->place.y, 5000059);
     const auto is_named = [&] {
-        for (const Sentence& words : sentences_of(run_warnings(result, scene)))
-            if (words.text().find("uncertain by") != std::string::npos) return true;
+        for (const std::string& text : texts_of(run_warnings(result, scene)))
+            if (text.find("uncertain by") != std::string::npos) return true;
         return false;
     };
     EXPECT_TRUE(is_named());
@@ -127,8 +127,8 @@ TEST(Run, AnErrorOfEnergyThatMovesTheRunOutIsTold) {
     for (const auto& [error, told] : {std::pair{0.04, false}, {0.06, true}}) {
         result.energy_error = error;
         bool found = false;
-        for (const Sentence& words : sentences_of(run_warnings(result, scene)))
-            found |= words.text().find("energy error") != std::string::npos;
+        for (const std::string& text : texts_of(run_warnings(result, scene)))
+            found |= text.find("energy error") != std::string::npos;
         EXPECT_EQ(found, told) << error;
     }
 }
@@ -137,8 +137,8 @@ TEST(Run, OfAFlowThatEndsAtRestNoPileIsNamed) {
     const Scene scene = slide();
     const RunResult result = run(scene, {});
     ASSERT_EQ(result.stop_reason, StopReason::still);
-    for (const Sentence& words : sentences_of(result.warnings))
-        EXPECT_EQ(words.text().find("uncertain by"), std::string::npos) << words.text();
+    for (const std::string& text : texts_of(result.warnings))
+        EXPECT_EQ(text.find("uncertain by"), std::string::npos) << text;
 }
 
 // Thin before the step, of the volume before the step: what left in it counts in both.

@@ -360,7 +360,7 @@ int compare_probability(const Pair& pair, const std::optional<double>& threshold
     add_report(pair.folder, renew_report(pair.folder, scores, map), log, written);
     if (json) {
         Json document = document_of("compare");
-        document["warnings"] = texts_of(log.warnings());
+        document["warnings"] = texts_of(log.take_warnings());
         document["folder"] = pair.folder;
         document["files"] = written;
         document["comparison"] = Json::parse(probability_json(scores, map, survey));
@@ -422,7 +422,7 @@ int cmd_compare(const Arguments& arguments) {
         ranking.add(pair.name, pair.operand, pair.scar.value_or(deposit.value_or("")), comparison,
                     scene_values(pair.operand));
     }
-    document["warnings"] = texts_of(log.warnings());
+    document["warnings"] = texts_of(log.take_warnings());
     if (pairs.size() == 1) {
         const Json only = document["comparisons"].front();
         for (const auto& [name, value] : only.items()) document[name] = value;

@@ -71,7 +71,7 @@ struct Level {
     double wall_seconds = 0, cpu_seconds = 0;  ///< of computing
     RunStatistics statistics;
     Raster depth;
-    std::vector<Sentence> warnings;  ///< as `frana run` would give
+    Warnings warnings;  ///< as `frana run` would give
 };
 
 /// A value on the finest cells, and what all levels say of it.
@@ -123,11 +123,9 @@ Level run_level(const Prepared& prepared, const SceneVariants& variants) {
     level.wall_seconds = result.engine_seconds;
     level.cpu_seconds = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID) - begun;
     level.statistics = run_statistics(result, prepared.spec.output.trace_threshold);
-    RunLog log(true);
-    warn_without_pages(prepared, result, log);
     const Sentence size = numeral(number_text(level.cell_size));
-    for (const Sentence& warning : log.warnings())
-        level.warnings.push_back(worded("on cells of {1} m: {2}", {size, warning}));
+    for (const Warning& warning : without(result.warnings, prepared.scene.warnings))
+        level.warnings.push_back(worded("on cells of {1} m: {2}", {size, warning.words}));
     level.depth = std::move(result.raster("max_depth"));
     return level;
 }
@@ -501,8 +499,7 @@ int cmd_converge(const Arguments& arguments) {
 
     RunLog log(quiet);
     for (const SchemeLevels& one : schemes)
-        for (const Level& level : one.levels)
-            for (const Sentence& warning : level.warnings) log.warn(warning);
+        for (const Level& level : one.levels) log.warn_all(level.warnings);
     begin_own(folder.string(), files_of(folder));
     const Words words = words_of(spec);
     write_uncertainty((folder / k_uncertainty).string() + ".tif", levels, spec, words);

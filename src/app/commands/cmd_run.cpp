@@ -355,14 +355,15 @@ int run_scene(const boost::program_options::variables_map& values, std::string& 
 }
 
 /// What --json says of a run, from the files of its result.
-void print_run_document(const std::string& target, int code, const RunLog& log) {
+void print_run_document(const std::string& target, int code, RunLog& log) {
     Json document = document_of("run");
     document["exit_code"] = code;
     document["result"] = target;
     const auto manifest = read_manifest(target);
     document["finished"] = code == static_cast<int>(ExitCode::done);
-    document["warnings"] = texts_of(log.warnings());
     document["summary"] = read_json_file((std::filesystem::path(target) / k_summary_file).string()).value_or(Json());
+    document["warnings"] = document["summary"].is_object() ? document["summary"]["warnings"] : Json::array();
+    for (const std::string& later : texts_of(log.take_warnings())) document["warnings"].push_back(later);
     document["files"] = Json::array();
     if (manifest)
         for (const auto& [name, mark] : manifest->files) document["files"].push_back(name);

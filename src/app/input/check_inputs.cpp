@@ -315,15 +315,6 @@ double released_area(const Scene& scene) {
     return all;
 }
 
-void warn_of_scale(const std::vector<ReleasedArea>& areas, const ReleaseSpec& spec, RunLog& log) {
-    constexpr double k_most = 1.25;
-    if (spec.volume || !spec.thickness || !spec.thickness->by_raster()) return;
-    for (const ReleasedArea& area : areas)
-        if (area.scaled > k_most || area.scaled < 1 / k_most)
-            log.warn(worded("the thickness was scaled by {1} to its file's volume: look for values that mean no data",
-                            {numeral(number_text(area.scaled, 3))}));
-}
-
 void warn_of_release(const Scene& scene, RunLog& log) {
     if (scene.release.empty()) return;
     const Release release = make_release(scene);

@@ -36,10 +36,6 @@ void warn_of_release(const Scene& scene, RunLog& log);
 /// The ground from which something is released [m2]: a thickness raster may fill a part of its outline only.
 double released_area(const Scene& scene);
 
-/// Warns of a thickness raster whose values on the working grid are far from those of its file: values at its edge that
-/// mean no data, and that the file does not declare, are interpolated.
-void warn_of_scale(const std::vector<ReleasedArea>& areas, const ReleaseSpec& spec, RunLog& log);
-
 /// Warns of exposed features of which the map will say nothing: off the map, without geometry, or where the terrain has
 /// no elevation.
 /// @param map the ground that is computed

@@ -260,6 +260,8 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     prepared.scene.recording.gauges = std::exchange(extra.gauges, {});
     prepared.scene.recording.sections = std::exchange(extra.sections, {});
     prepared.extra = std::move(extra);
+    prepared.scene.file_volume = prepared.release.file_volume;
+    prepared.scene.warnings = log.take_warnings();
     return prepared;
 }
 

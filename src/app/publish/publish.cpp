@@ -137,12 +137,6 @@ ComparisonInput comparison_input(const Finished& run) {
     return input;
 }
 
-double released_volume(const RunResult& result) {
-    double sum = 0;
-    for (const ReleasedArea& area : result.released) sum += area.volume;
-    return sum;
-}
-
 /// Run-out, drop and angle of reach are those of one flow.
 void note_flows(const std::vector<Runout>& run_outs, RunLog& log) {
     if (run_outs.size() < 2) return;
@@ -151,14 +145,22 @@ void note_flows(const std::vector<Runout>& run_outs, RunLog& log) {
              " m; maps and tables show the longest, summary.json lists all");
 }
 
-/// What was asked of the values and what is claimed of them.
-void log_accuracy(const AccuracyRecord& record, RunLog& log) {
-    const std::vector<ValueEstimate> estimates = value_estimates(record);
+/// Notes what a run did, and what was asked of its values and is claimed of them.
+void log_result(const Finished& run, RunLog& log) {
+    const RunResult& result = run.result;
+    for (std::size_t i = 0; i < result.released.size(); ++i)
+        if (result.released[i].failed) log.note(released_sentence(result.released[i], i).text());
+    if (result.volume_inflow > 0) log.note("inflow through lines: " + grouped(result.volume_inflow) + " m3");
+    for (const std::string& note : result.notes) log.note("engine: " + note);
+    if (const RunEnd end = run_end(result); end.creeps) log.info(creeping_sentence(end).text());
+    log.tell(without(result.warnings, run.prepared.scene.warnings));  // which were told before the run
+    if (run.accuracy == nullptr) return;
+    const std::vector<ValueEstimate> estimates = value_estimates(*run.accuracy);
     if (!estimates.empty()) log.info("estimated errors:\n" + estimate_lines(estimates));
     if (is_reached(estimates)) {
-        log.info(accuracy_verdict(record));
+        log.info(accuracy_verdict(*run.accuracy));
     } else {
-        log.warn(accuracy_verdict(record));
+        log.warn(accuracy_verdict(*run.accuracy));
     }
 }
 
@@ -199,8 +201,7 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     const Stopwatch output_watch;
     const Prepared& prepared = run.prepared;
     const RunResult& result = run.result;
-    warn_of_result(prepared, result, log);
-    if (run.accuracy != nullptr) log_accuracy(*run.accuracy, log);
+    log_result(run, log);
 
     const double threshold = prepared.spec.output.trace_threshold;
     SummaryFacts facts;
@@ -217,7 +218,6 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     facts.high = trace.high;
     facts.release_ground = prepared.release.ground;
     facts.path_ground = trace.path_ground;
-    if (facts.path_ground) log.warn_all(path_ground_warnings(*facts.path_ground));
 
     publish_rasters(prepared, result, directory);
     publish_outlines(prepared, result, flows, facts.statistics.run_out(), directory);
@@ -236,18 +236,16 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
     facts.wall.output = output_watch.seconds() + frames.seconds();
 
     const Stopwatch render_watch;
-    facts.map_warnings = prepared.doubts;
-    for (Sentence& warning : sentences_of(result.warnings, WarningsOn::maps))
-        facts.map_warnings.push_back(std::move(warning));
-    const PictureOutcome pictures = draw_pictures(
-        {prepared.spec, directory.path(""), comparison, false, facts.statistics, facts.date, facts.map_warnings}, log);
+    const PictureOutcome pictures = draw_pictures({prepared.spec, directory.path(""), comparison, false,
+                                                   facts.statistics, facts.date, limits_of_use(result.warnings)},
+                                                  log);
     facts.wall.render = render_watch.seconds();
 
     facts.wall.input = run.input_seconds;
     facts.wall.engine = result.engine_seconds;
     facts.wall.total = run.earlier_seconds + run.since_start.seconds();
     facts.peak_memory_bytes = peak_memory_bytes();
-    facts.warnings = log.warnings();
+    (facts.warnings = result.warnings) += log.take_warnings();
     facts.data_identity = data_identity(prepared);
     if (run.accuracy != nullptr) facts.accuracy = *run.accuracy;
     if (prepared.spec.output.report) {
@@ -265,27 +263,6 @@ PictureOutcome publish_rest(const Finished& run, const ResultDirectory& director
 }
 
 }  // namespace
-
-void warn_of_result(const Prepared& prepared, const RunResult& result, RunLog& log) {
-    compare_volumes(prepared.release.file_volume, released_volume(result), log);
-    warn_of_scale(result.released, prepared.spec.release, log);
-    for (std::size_t i = 0; i < result.released.size(); ++i)
-        if (result.released[i].failed) log.note(released_sentence(result.released[i], i).text());
-    if (result.volume_inflow > 0) log.note("inflow through lines: " + grouped(result.volume_inflow) + " m3");
-    for (const std::string& note : result.notes) log.note("engine: " + note);
-    if (const RunEnd end = run_end(result); end.creeps) log.info(creeping_sentence(end).text());
-    // A page may have room for the first sentence only.
-    log.warn_first(sentences_of(result.warnings));
-}
-
-void warn_without_pages(const Prepared& prepared, const RunResult& result, RunLog& log) {
-    warn_of_result(prepared, result, log);
-    const auto path = trace_figures(result, prepared.scene.terrain, prepared.spec.output.trace_threshold).path_ground;
-    if (path) log.warn_all(path_ground_warnings(*path));
-    if (result.jumps)
-        log.warn(worded(k_flights_warning,
-                        {numeral(grouped(result.jumps->volume)), numeral(number_text(result.jumps->highest, 3))}));
-}
 
 PictureOutcome publish(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log) {
     if (frames.count() > 0) frames.finish();

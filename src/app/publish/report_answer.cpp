@@ -435,11 +435,11 @@ Document answer_tables(const ReportInput& input) {
                                   .add(values_table(words("How strong, at most"), strength, input)));
 }
 
-std::vector<Sentence> warnings_of(const ReportInput& input) {
-    std::vector<Sentence> warnings = input.facts.warnings;
+Warnings warnings_of(const ReportInput& input) {
+    Warnings warnings = input.facts.warnings;
     if (const auto& accuracy = input.facts.accuracy)
-        for (Sentence& warning : warnings)
-            if (warning == Sentence(accuracy_verdict(*accuracy))) warning = accuracy_verdict(*accuracy, input.words);
+        std::replace(warnings.begin(), warnings.end(), Warning(accuracy_verdict(*accuracy)),
+                     Warning(accuracy_verdict(*accuracy, input.words)));
     return warnings;
 }
 

@@ -29,7 +29,7 @@ struct GaugeAnswer {
 std::vector<GaugeAnswer> gauge_answers(const ReportInput& input);
 
 /// Returns the run's warnings with the verdict on its accuracy, which is put together in one language, in the report's.
-std::vector<Sentence> warnings_of(const ReportInput& input);
+Warnings warnings_of(const ReportInput& input);
 
 /// The first page: what fails, friction and material, where it goes, how sure, what was not done.
 Document answer_sentences(const ReportInput& input);

@@ -349,7 +349,7 @@ std::string summary_json(const RunResult& result, const SummaryFacts& facts) {
     add_run_problems(json, result);
     if (facts.accuracy) json["accuracy"] = accuracy_json(*facts.accuracy);
     json["warnings"] = texts_of(facts.warnings);
-    json["warning_words"] = json_of(facts.map_warnings);
+    json["warning_values"] = json_of(facts.warnings);
     json[k_data_key] = facts.data_identity;
     return json_text(json);
 }
