@@ -123,8 +123,6 @@ enum class StopReason {
     end_time,
     still,
     settled,
-    energy,
-    moving_volume,
     momentum,
     all_left,
     requested,
@@ -136,14 +134,13 @@ enum class StopReason {
 
 /// Returns whether a run that stopped for this reason before its end time has nothing more to compute.
 [[nodiscard]] constexpr bool ends_finally(StopReason reason) noexcept {
-    return reason == StopReason::still || reason == StopReason::settled || reason == StopReason::energy ||
-           reason == StopReason::moving_volume || reason == StopReason::momentum || reason == StopReason::all_left;
+    return reason == StopReason::still || reason == StopReason::settled || reason == StopReason::momentum ||
+           reason == StopReason::all_left;
 }
 
 /// Returns whether the flow may still have moved when a run ended for this reason.
 [[nodiscard]] constexpr bool ends_in_motion(StopReason reason) noexcept {
-    return reason == StopReason::end_time || reason == StopReason::energy || reason == StopReason::moving_volume ||
-           reason == StopReason::momentum || reason == StopReason::requested;
+    return reason == StopReason::end_time || reason == StopReason::momentum || reason == StopReason::requested;
 }
 
 /// The actual release of one area.

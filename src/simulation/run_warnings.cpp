@@ -66,10 +66,6 @@ void warn_of_gaps(const RunResult& result, const Scene& scene, Warnings& warning
 std::pair<std::string, Sentence> stop_and_remedy(StopReason reason) {
     const auto lower = [](const char* key) { return std::pair(std::string(key), worded("lower {1}", {key})); };
     switch (reason) {
-        case StopReason::energy:
-            return lower("time.stop-energy-fraction");
-        case StopReason::moving_volume:
-            return lower("time.stop-moving-fraction");
         case StopReason::momentum:
             return lower("time.stop-momentum");
         case StopReason::settled:
@@ -226,12 +222,6 @@ struct Extremes {
 
 void warn_of_keys_without_effect(const StructuredMaterial& m, const Extremes& e, const KeyPlace& where,
                                  const KeyTest& is_given, Warnings& warnings) {
-    if (m.fluid_viscosity == 0) {
-        for (const char* key : {"structured.mobility", "structured.viscosity-growth",
-                                "structured.solids-profile-factor", "structured.velocity-profile-factor"})
-            if (is_given(key))
-                warnings.push_back(worded("{1} has no effect: structured.fluid-viscosity is 0", {where(key)}));
-    }
     const std::string confined = "structured.confined-fraction";
     if (!is_given(confined) || !(m.confined_fraction > 0)) return;
     if (e.cohesion == 0)

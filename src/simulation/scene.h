@@ -31,7 +31,6 @@ struct SolidZone {
 struct StructuredMaterial : StructuredValues, SolidValues {
     bool solids = false;       ///< false: the release is fluid, and no parameter of solids is read
     double sin_dilatancy = 0;  ///< sin(psi) [-]
-    double block_size = 0;     ///< d_sc [m]; 0: the local depth
     PoreValues pores;
     std::vector<SolidZone> zones;
     std::optional<Raster> initial_fluid;  ///< depth of free fluid at the start [m]; NaN: none

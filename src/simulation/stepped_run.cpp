@@ -344,8 +344,6 @@ std::optional<StopReason> SteppedRun::reason_to_stop(const StepStatistics& stati
         if (scene_.time.stop_when_still && still_.still(statistics)) return StopReason::still;
         if (settling_.settled(*model_, statistics.kinetic, result_.volume_entered + model_->bed_budget().eroded))
             return StopReason::settled;
-        if (fade_.energy(statistics.kinetic)) return StopReason::energy;
-        if (fade_.moving(statistics.moving)) return StopReason::moving_volume;
         if (scene_.time.stop_momentum > 0 && fade_.momentum(model_->momentum())) return StopReason::momentum;
     }
     if (options_.stop_requested && options_.stop_requested()) return StopReason::requested;

@@ -22,11 +22,8 @@ NodeGrid walled(const Ground& ground, const std::optional<Raster>& walls) {
 }
 
 SolidStages stages_for(const StructuredMaterial& material) {
-    SolidStages stages = structured::choose_solid_stages(can_fracture(material), has_fluid(material),
-                                                         material.pores.pore_pressure(material.fluid_density));
-    if (material.earth_pressure == StructuredMaterial::EarthPressure::passive)
-        stages.fields = stages.fields | structured::k_passive_fields;
-    return stages;
+    return structured::choose_solid_stages(can_fracture(material), has_fluid(material),
+                                           material.pores.pore_pressure(material.fluid_density));
 }
 
 double thickest(const ParticleSet& columns) {
@@ -40,9 +37,8 @@ double thickest(const ParticleSet& columns) {
 ParticleSet solids_of(const ParticleSet& columns, const StructuredMaterial& material, const Numerics& numerics,
                       const GridSpec& grid, FieldMask fields) {
     const auto of_place = [&](Point local) { return material_at(material, grid, local); };
-    ParticleSet placed = structured::split_phases(columns, of_place, material.dry_depth);
-    if (material.spread_evenly) placed = structured::place_again(placed, grid, numerics.particles_per_cell);
-    return structured::assign_material(placed, fields, of_place);
+    return structured::assign_material(structured::split_phases(columns, of_place, material.dry_depth), fields,
+                                       of_place);
 }
 
 structured::State initial_state(NodeGrid nodes, const structured::Laws& laws, const StructuredMaterial& material,

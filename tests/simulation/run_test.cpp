@@ -195,32 +195,6 @@ TEST(Estimate, CountsWithoutRunning) {
     EXPECT_GT(e.first_step_seconds, 0);
 }
 
-// Ends at the first step below the fraction of the peak, and not before.
-TEST(Run, EndsAtAFractionOfThePeakOfKineticEnergy) {
-    Scene scene = slide();
-    scene.time.stop_energy_fraction = 0.05;
-    const RunResult result = run(scene, {});
-    EXPECT_EQ(result.stop_reason, StopReason::energy);
-    double peak = 0;
-    for (std::size_t i = 0; i < result.series.size(); ++i) {
-        const double now = result.series[i].kinetic_energy;
-        peak = std::max(peak, now);
-        EXPECT_EQ(now < 0.05 * peak, i + 1 == result.series.size()) << i;
-    }
-}
-
-TEST(Run, EndsAtAFractionOfThePeakOfMovingVolume) {
-    Scene scene = slide();
-    scene.time.stop_moving_fraction = 0.2;
-    scene.time.moving_speed = 1;
-    const RunResult result = run(scene, {});
-    EXPECT_EQ(result.stop_reason, StopReason::moving_volume);
-    scene.time.stop_moving_fraction = 0;
-    const RunResult whole = run(scene, {});
-    EXPECT_EQ(whole.stop_reason, StopReason::still);
-    EXPECT_LT(result.simulated_seconds, whole.simulated_seconds);
-}
-
 // The momentum of a block is its volume times its speed, which the series has: 5 % of the greatest ends it.
 TEST(Run, EndsAtAFractionOfThePeakOfMomentum) {
     Scene scene = slide();

@@ -123,7 +123,7 @@ TEST_F(PrintedReport, OfTheSampleFillsItsFewPages) {
         EXPECT_NE(first.find(without_space(words)), std::string::npos) << words;
     // The head of the keys is on each page that has keys; what is folded is on none.
     const std::string head = "keyvalueoriginmeaning";
-    for (const std::string key : {"terrain.dtm", "time.moving-speed"})
+    for (const std::string key : {"terrain.dtm", "time.stop-change"})
         EXPECT_TRUE(std::any_of(pages_.begin(), pages_.end(), [&](const std::string& text) {
             return text.find(key) != std::string::npos && text.find(head) != std::string::npos;
         })) << key;

@@ -73,7 +73,7 @@ TEST_F(Report, HasTheAnswerFirstAndOnlyTheKeysUsed) {
                         "file</td>"),
               std::string::npos);
     EXPECT_NE(used.find("<tr><td>material.density</td><td>2000 [kg/m³]</td><td>default</td>"), std::string::npos);
-    EXPECT_NE(used.find("<td>numerics.gravity</td>"), std::string::npos);
+    EXPECT_NE(used.find("<td>numerics.minimum-depth</td>"), std::string::npos);
     for (const std::string key : {"structured.young-modulus", "material.chezy", "entrainment.growth-rate",
                                   "zones.beyond-dtm", "output.map-legend", "output.depth-thresholds"})
         EXPECT_EQ(used.find("<td>" + key + "</td>"), std::string::npos) << key;
