@@ -7,8 +7,8 @@
 
 namespace frana {
 
-/// Bed resistance of a Bingham fluid: that of Herschel and Bulkley with m = 1. The quadratic of Fois, de Falco, Formaggia
-/// 2024 (equation 9) differs from this exact root by up to 0.043.
+/// Bed resistance of a Bingham fluid: that of Herschel and Bulkley with m = 1. The quadratic of Fois, de Falco,
+/// Formaggia 2024 (equation 9) differs from this exact root by up to 0.043.
 struct BinghamFriction {
     static constexpr const char* word = BinghamStress::word;
     static Law row() {

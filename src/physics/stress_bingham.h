@@ -48,11 +48,10 @@ struct BinghamStress {
         [[nodiscard]] bool has_bingham_stress() const noexcept { return viscosity > 0 || yield_stress > 0; }
     };
     static auto keys() {
-        return std::tuple{
-            law_key(&Values::viscosity, "material.viscosity", worded("viscosity"), "Pa s", {0, 1e8},
-                    "Bingham viscosity."),
-            law_key(&Values::yield_stress, "material.yield-stress", worded("yield stress"), "Pa", {0, 1e7},
-                    "Yield stress.")};
+        return std::tuple{law_key(&Values::viscosity, "material.viscosity", worded("viscosity"), "Pa s", {0, 1e8},
+                                  "Bingham viscosity."),
+                          law_key(&Values::yield_stress, "material.yield-stress", worded("yield stress"), "Pa",
+                                  {0, 1e7}, "Yield stress.")};
     }
     static Law row() {
         return {.sentence = worded("in-plane viscosity"), .yield_sentence = worded("in-plane yield stress")};

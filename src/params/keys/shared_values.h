@@ -43,7 +43,7 @@ struct StructuredValues {
     std::optional<double> damage_length;     ///< R [m]
     double modulus_reduction = 1;            ///< divides both moduli [-]
     double pore_pressure_fraction = 0;       ///< B [-]
-    bool manning_on_total = false;     ///< by the total depth; false: by that of the free fluid
+    bool manning_on_total = false;           ///< by the total depth; false: by that of the free fluid
 };
 
 enum class Boundary { open, wall };
@@ -126,10 +126,10 @@ bool flight(const Numerics& numerics);
 double courant_number(const Numerics& numerics, const Material& material);
 
 struct TimeValues {
-    bool stop_when_still = true;      ///< end early once nothing moves
-    double stop_momentum = 0;         ///< end once the momentum is below this fraction of its peak; 0: never
-    double moving_speed = 0.1;        ///< speed that counts as moving [m/s]
-    double stop_window = 0.25;        ///< fraction of the time since material last entered
+    bool stop_when_still = true;  ///< end early once nothing moves
+    double stop_momentum = 0;     ///< end once the momentum is below this fraction of its peak; 0: never
+    double moving_speed = 0.1;    ///< speed that counts as moving [m/s]
+    double stop_window = 0.25;    ///< fraction of the time since material last entered
 };
 inline constexpr double k_trace_threshold = 0.1;  ///< depth from which a cell belongs to the trace [m]
 

@@ -24,8 +24,7 @@ TEST(RunEnd, TellsAFrontThatMovesFromADepositThatCreeps) {
     // A seventh of the volume that moves behind a front at rest pushed it on 80 s later (S-1000, end = 120 and 200 s).
     EXPECT_TRUE(run_end(at_end, 120, 2, 0.17, true).is_cut_short);
     // Whatever else stops a run stops a flow that moves as time.end does.
-    for (const StopReason other : {StopReason::momentum,
-                                   StopReason::requested, StopReason::settled})
+    for (const StopReason other : {StopReason::momentum, StopReason::requested, StopReason::settled})
         EXPECT_TRUE(run_end(describe(other), 60, 3, 0.7, false).is_cut_short) << describe(other);
     for (const StopReason rest : {StopReason::still, StopReason::all_left})
         EXPECT_FALSE(run_end(describe(rest), 60, 3, 0.7, false).is_cut_short) << describe(rest);

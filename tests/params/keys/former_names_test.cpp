@@ -36,8 +36,8 @@ TEST_F(FormerNamesInScenes, KeysThatWentSayWhatToUse) {
              {"[material]\nyield-ratio = quadratic\n", "exact"},
              {"[output]\nclasses-strain = 1\n", "to-maximum"}}) {
         const std::vector<Problem> all = problems(k_least + line);
-        const auto gone = std::find_if(all.begin(), all.end(),
-                                       [](const Problem& one) { return one.what == "is no longer a key"; });
+        const auto gone =
+            std::find_if(all.begin(), all.end(), [](const Problem& one) { return one.what == "is no longer a key"; });
         ASSERT_NE(gone, all.end()) << line;
         EXPECT_NE(gone->remedy.find(remedy), std::string::npos) << gone->remedy;
     }

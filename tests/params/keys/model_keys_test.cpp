@@ -41,8 +41,7 @@ TEST_F(ModelKeys, EachModelRefusesTheOthersKeysByName) {
 
 TEST_F(ModelKeys, FluidAloneRefusesKeysOfSolids) {
     EXPECT_TRUE(has_problem(problems(k_fluid + "cohesion = 1e4\n"), "structured.cohesion"));
-    EXPECT_TRUE(no_problem(problems(
-        k_fluid + "manning = 0.03\nfluid-viscosity = 0.001\ndry-depth = 1e-5\n")));
+    EXPECT_TRUE(no_problem(problems(k_fluid + "manning = 0.03\nfluid-viscosity = 0.001\ndry-depth = 1e-5\n")));
 }
 
 TEST_F(ModelKeys, SolidsNeedStrengthAndNeighbours) {
@@ -56,8 +55,8 @@ TEST_F(ModelKeys, SolidsNeedStrengthAndNeighbours) {
 
 TEST_F(ModelKeys, SolidsReadTheirMaterialByPlace) {
     EXPECT_TRUE(no_problem(problems(k_solids, {"structured.zones=lithology.gpkg", "structured.cohesion=attribute:c",
-                                               "structured.solid-fraction=raster:alpha.tif",
-                                               "release.start=3", "structured.initial-fluid-depth=raster:lake.tif"})));
+                                               "structured.solid-fraction=raster:alpha.tif", "release.start=3",
+                                               "structured.initial-fluid-depth=raster:lake.tif"})));
     EXPECT_TRUE(has_problem(problems(k_solids, {"structured.solid-fraction=1.5"}), "structured.solid-fraction", "1.5"));
     EXPECT_TRUE(no_problem(problems(k_solids, {"release.thickness=phases:solids.tif,fluid.tif"})));
     EXPECT_TRUE(has_problem(problems(k_fluid, {"release.thickness=phases:solids.tif,fluid.tif"}), "release.thickness"));

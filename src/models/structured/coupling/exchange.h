@@ -50,7 +50,7 @@ struct Mixture {
 /// opposite on the free fluid [N/m3]. Zero where either phase is less than a thousandth of the column.
 struct Drag {
     SettlingFluid fluid;
-    int exponent = 2;              ///< j: 1 linear, 2 quadratic
+    int exponent = 2;               ///< j: 1 linear, 2 quadratic
     double smoothing_velocity = 1;  ///< K [m/s]: that of r.avaflow, for the mixture's flux of equation 34
 
     /// C [kg m^-3 s^-1 (m/s)^(1-j)].
@@ -65,8 +65,7 @@ struct Drag {
             constexpr double k_largest_block = 1;  // [m] settling laws do not apply to larger ones
             const double size = std::min(m.block_size, k_largest_block);
             const double u = settling_velocity(fluid, m.coupled_density, size);
-            sum += m.structured * weight * (m.coupled_density - fluid.density) /
-                   power(u * solid_like(m) + k / free);
+            sum += m.structured * weight * (m.coupled_density - fluid.density) / power(u * solid_like(m) + k / free);
         }
         if (m.structured < 1) {
             const double u = settling_velocity(fluid, m.grain_density, m.grain_diameter);

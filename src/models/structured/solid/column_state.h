@@ -86,7 +86,8 @@ struct Saturated {
     }
 };
 
-/// Reads volume, area, confined, submergence, cohesion, cohesion_ratio, friction, grain_density, and with pore pressure confined_start, pores, pore_pressure and hydrostatic of particle p.
+/// Reads volume, area, confined, submergence, cohesion, cohesion_ratio, friction, grain_density, and with pore pressure
+/// confined_start, pores, pore_pressure and hydrostatic of particle p.
 template <class Kind>
 ParticleLoad particle_load(const SolidLaws& laws, const ParticleSet& particles, std::size_t p) noexcept {
     const double solids = particles[Field::volume][p], inverse_area = 1 / particles[Field::area][p];

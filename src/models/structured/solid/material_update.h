@@ -12,9 +12,9 @@ namespace frana::structured {
 /// Stress after a rotation R and a strain in the plane (both of one substep): rotation with the material, elastic
 /// trial, return to the yield surface of the sum with the geostatic stress, -diag(p, p, N / 2). That vertical stress is
 /// given by the weight, so the particle's own is zero. The excess of the load over the strength q is hydrostatic:
-/// p = N / 2 - q in all three directions adds no friction inside, as in material without cohesion, and the check is that
-/// of the rest, -diag(0, 0, q). So a column that does not bear itself has the thrust p also while it yields, and both
-/// tend to those of broken material with the cohesion.
+/// p = N / 2 - q in all three directions adds no friction inside, as in material without cohesion, and the check is
+/// that of the rest, -diag(0, 0, q). So a column that does not bear itself has the thrust p also while it yields, and
+/// both tend to those of broken material with the cohesion.
 inline Returned next_stress(const SolidLaws& laws, const ParticleLoad& column, double friction, const Matrix2d& turn,
                             const Matrix2d& strain, const Stress& stress) noexcept {
     const auto strength = DruckerPrager::of(friction, column.cohesion - column.lost);

@@ -201,15 +201,15 @@ struct SolidLaws {
     double gravity = k_standard_gravity;
     bool steep = true;  ///< gravity and friction over 1 + |grad b|^2
     Elasticity elastic;
-    double sin_dilatancy = 0;                  ///< sin(psi)
+    double sin_dilatancy = 0;  ///< sin(psi)
     BasalPressure basal;
     PorePressure pores;     ///< its density and hydrostatic ratio are each column's own
     bool fractures = true;  ///< cohesion can be lost
     Fragmentation fragmentation;
     double damage_length = 1;  ///< R, over which damage is averaged [m]
 
-    double wave_speed = 0;    ///< of pressure waves in the lightest material [m/s]
-    double wave_cfl = 0.8;    ///< fraction of the stress's node spacing that waves cross in a substep
+    double wave_speed = 0;  ///< of pressure waves in the lightest material [m/s]
+    double wave_cfl = 0.8;  ///< fraction of the stress's node spacing that waves cross in a substep
 };
 
 }  // namespace frana::structured

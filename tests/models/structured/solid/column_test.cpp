@@ -37,8 +37,8 @@ TEST(Fragmentation, ReleasesInProportion) {
         EXPECT_NEAR(confined - p[Field::released][0], confined * before * borne, 1e-13 * confined);
         state.solid->spread(state.solid->order, c.laws.solid.fragmentation, p, state.solid->work, pool);
         opened = p[Field::damage][0];
-        // The integral of sqrt(2/3 dev e : dev e) = 0.21 per second until all is lost, from the first step on: 8 m of overburden have it
-        // at its yield surface.
+        // The integral of sqrt(2/3 dev e : dev e) = 0.21 per second until all is lost, from the first step on: 8 m of
+        // overburden have it at its yield surface.
         EXPECT_NEAR(opened, std::min(i + 1, 48) * dt * 0.21, 1e-12);
         EXPECT_LE(p[Field::cohesion_ratio][0], before);
         EXPECT_NEAR(p[Field::cohesion_ratio][0], std::max(0.0, 1 - opened / (2 * eps)), 1e-14);
