@@ -34,19 +34,18 @@ double thickest(const ParticleSet& columns) {
 }
 
 // Converts columns of full thickness to particles of solids with their confined fluid.
-ParticleSet solids_of(const ParticleSet& columns, const StructuredMaterial& material, const Numerics& numerics,
-                      const GridSpec& grid, FieldMask fields) {
+ParticleSet solids_of(const ParticleSet& columns, const StructuredMaterial& material, const GridSpec& grid,
+                      FieldMask fields) {
     const auto of_place = [&](Point local) { return material_at(material, grid, local); };
     return structured::assign_material(structured::split_phases(columns, of_place, material.dry_depth), fields,
                                        of_place);
 }
 
 structured::State initial_state(NodeGrid nodes, const structured::Laws& laws, const StructuredMaterial& material,
-                                const Numerics& numerics, const GridSpec& grid, const ParticleSet& released) {
+                                const GridSpec& grid, const ParticleSet& released) {
     if (!material.solids) return {std::move(nodes), laws, ParticleSet(), {}, true};
     const SolidStages stages = stages_for(material);
-    return {std::move(nodes), laws, solids_of(released, material, numerics, grid, stages.fields), stages,
-            has_fluid(material)};
+    return {std::move(nodes), laws, solids_of(released, material, grid, stages.fields), stages, has_fluid(material)};
 }
 
 }  // namespace
@@ -59,7 +58,7 @@ StructuredFlow::StructuredFlow(const Ground& ground, const std::optional<Raster>
       material_(material),
       pool_(threads),
       laws_(structured_laws(material, numerics, grid_, thickest(released))),
-      state_(initial_state(walled(ground, walls), laws_, material, numerics, grid_, released)),
+      state_(initial_state(walled(ground, walls), laws_, material, grid_, released)),
       tiles_(structured::tiles_on(state_.grid)),
       maxima_(state_.grid.bed.size()),
       pressure_(state_.grid.bed.size()) {

@@ -422,7 +422,7 @@ std::string renewed_report(const fs::path& folder, const SceneSpec& spec, double
     SummaryFacts facts;
     facts.spec = spec;
     const ErrorEstimates errors = error_estimates(facts, result);
-    const auto parts = [&](const Words& words) { return error_parts(errors, cell_size, words); };
+    const auto parts = [&](const Words& words) { return error_parts(errors, words); };
     return renew_page(result, parts) ? report.string() : std::string();
 }
 
