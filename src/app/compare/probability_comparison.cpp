@@ -171,7 +171,7 @@ std::string probability_json(const ProbabilityScores& scores, const ProbabilityM
 
 render::Chart probability_chart(const ProbabilityScores& scores, const ProbabilityMap& map) {
     const Words& words = map.source.style.words;
-    return {page_title(map.source, words("comparison with the survey")),
+    return {page_title(map.source, words("Comparison with the survey")),
             words("{1}, Brier score {2}, skill {3}", {map.name, words.number(number_text(scores.brier, 3)),
                                                       words.number(number_text(scores.brier_skill, 3))}),
             std::string(k_comparison_file),

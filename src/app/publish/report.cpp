@@ -130,7 +130,7 @@ Document series_charts(const ReportInput& input) {
         charts.add(chart_figures(panel, words("Curve over time: {1}, at most {2}", {label, most}), words));
     };
     add(words("front from the release's centroid [m]"), &SeriesRow::front_distance);
-    add(words("greatest speed [m/s]"), &SeriesRow::max_speed);
+    add(words("Greatest speed [m/s]"), &SeriesRow::max_speed);
     add(words("greatest depth [m]"), &SeriesRow::max_depth);
     add(words("covered area [m²]"), &SeriesRow::covered_area);
     const auto named = [](const auto& places) {
