@@ -338,7 +338,7 @@ render::ChartPanel time_panel(const std::vector<SchemeLevels>& schemes, const Wo
 /// errors against time.
 render::Image chart_of(const std::vector<SchemeLevels>& schemes, const Words& words) {
     render::Chart chart{words("Convergence"),
-                        words("distance from the extrapolated value, if there is one; otherwise from the finest"),
+                        words("distance from the extrapolated value, else from the finest"),
                         "",
                         4,
                         {},

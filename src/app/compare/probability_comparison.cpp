@@ -144,7 +144,7 @@ ProbabilityScores compare_with_survey(const ProbabilityMap& map, const Survey& s
         log.warn(worded("fronts and tips are not compared with a map of probability"));
     const Raster values = padded_to(map.values, bounds(survey.scar), k_no_data);
     if (!values.grid.same_cells(map.values.grid))
-        log.warn(worded("the surveyed outline reaches beyond the map; there its probability counts as 0"));
+        log.warn(worded("the survey reaches beyond the map; there the probability is 0"));
     return score_probability(values, gis::coverage(survey.scar, values.grid));
 }
 

@@ -63,8 +63,8 @@ ReportMap described(const ReportInput& input, const std::string& name, const std
     const std::vector<std::string> values{map.caption, words.number(grouped(main.covered_area_m2)),
                                           words.number(number_text(main.threshold)),
                                           words.number(grouped(main.run_out().horizontal_m))};
-    map.alt = is_view ? words("View of the slope. {1}. Covered {2} m² deeper than {3} m, run-out {4} m", values)
-                      : words("Map. {1}. Covered {2} m² deeper than {3} m, run-out {4} m", values);
+    map.alt = is_view ? words("View. {1}. {2} m² deeper than {3} m, run-out {4} m", values)
+                      : words("Map. {1}. {2} m² deeper than {3} m, run-out {4} m", values);
     return map;
 }
 

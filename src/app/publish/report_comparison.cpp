@@ -140,7 +140,7 @@ Document comparison_section(const std::optional<Comparison>& comparison, const s
     if (c.statistics && fs::exists(picture))
         section.add(Figure{
             picture, words("Simulated against observed area"),
-            words("Map of the comparison: {1} m² hit, {2} m² false alarm, {3} m² missed",
+            words("Comparison: {1} m² hit, {2} m² false alarm, {3} m² missed",
                   {words.number(grouped(c.statistics->hit_m2)), words.number(grouped(c.statistics->false_alarm_m2)),
                    words.number(grouped(c.statistics->miss_m2))})});
     Document columns;
@@ -188,7 +188,7 @@ Document section(const ProbabilityScores& scores, const ProbabilityMap& map, con
     return Document()
         .heading("comparison", words("Comparison with the survey"))
         .add(Figure{"", map_title(map, words),
-                    words("Reliability of the probabilities, and their ROC curve with an area of {1}",
+                    words("Reliability of probabilities, and ROC curve with area {1}",
                           {number(scores.auroc, 3)}),
                     page_chart_svg(probability_chart(scores, map))})
         .add(table);

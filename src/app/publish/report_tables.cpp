@@ -292,7 +292,7 @@ Document friction_table(const FrictionByPlace& friction, const std::vector<Frict
     Document told;
     told.paragraph(friction_text(choice).in(words));
     if (choice.friction_factor != 1 || choice.turbulence_factor != 1)
-        told.paragraph(words("Every μ of the table is multiplied by {1}, every ξ by {2}.",
+        told.paragraph(words("Every μ times {1}, every ξ times {2}.",
                              {n(choice.friction_factor, 3), n(choice.turbulence_factor, 3)}));
     if (!areas.empty()) told.add(table);
     if (source.terrain.size() > 1)
