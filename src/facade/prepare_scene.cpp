@@ -453,7 +453,7 @@ EngineScene prepare_scene(const Scene::Data& data) {
     const bool may_be_held = !spec.release.velocity && !scene.zones.friction_coefficient;
     if (prepared.release_ground)
         scene.warnings +=
-            release_ground_warnings(*prepared.release_ground, may_be_held ? sure_friction(spec) : 0, k_held_remedy);
+            release_ground_warnings(*prepared.release_ground, may_be_held ? sure_friction(spec) : 0);
     return prepared;
 }
 

@@ -20,13 +20,11 @@ namespace frana {
 
 /// The pattern of a warning of which the least number is the worst.
 inline constexpr const char* k_few_particles_warning = worded(
-    "the run starts with {1} particles only: area and run-out change much with smaller cells; reduce "
-    "terrain.cell-size, and see frana converge");
+    "{1} particles only: area and run-out uncertain; reduce terrain.cell-size");
 
 /// That of flights.
 inline constexpr const char* k_flights_warning = worded(
-    "{1} m3 flew over edges, up to {2} m above the ground: maps of depth, velocity and pressure show nothing "
-    "where everything passes overhead");
+    "{1} m3 flew over edges, {2} m high: maps omit it");
 
 /// Returns what is wrong with a release that no slope has, or that is too small for its cells.
 /// @param scene tells whether a raster gives the thickness
@@ -71,17 +69,11 @@ Sentence ground_sentence(const GroundStatistics& ground);
 /// and where no law at the bed resists with it: the structured model's fluid, RAMMS's yield term alone, laws of fluids.
 double sure_friction(const SceneSpec& scene);
 
-/// What to do where a release is held and its elevations are in metres.
-inline constexpr const char* k_held_remedy = worded(
-    "Elevations that are too low for their eastings look like this, as metres that were converted as if they were "
-    "feet: "
-    "check the elevations above against a map, and the friction");
-
 /// Returns what is doubtful of the ground under a release: nearly vertical or flat, as in nature only where elevations
 /// are in another unit than eastings or the layers do not belong together; or nowhere as steep as the slope up to which
 /// friction holds it, as elevations that are too low for their eastings are.
 /// @param friction tangent of that slope; 0: not known
-Warnings release_ground_warnings(const GroundStatistics& ground, double friction, const Sentence& held_remedy);
+Warnings release_ground_warnings(const GroundStatistics& ground, double friction);
 /// Returns whether the ground under a path is steeper than those of landslides.
 Warnings path_ground_warnings(const GroundStatistics& ground);
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "physics/friction_bingham_quadratic.h"
+#include "physics/friction_bingham.h"
 #include "physics/friction_chezy.h"
 #include "physics/friction_cohesion.h"
 #include "physics/friction_coulomb.h"

@@ -319,7 +319,7 @@ std::vector<std::string> existing(const std::vector<std::string>& files) {
 void add_report(const std::string& folder, bool renewed, RunLog& log, std::vector<std::string>& files) {
     const std::string report = (fs::path(folder) / k_report_file).string();
     if (!renewed)
-        log.warn(worded("report.html was changed, or is of an older frana, and stays without this comparison"));
+        log.warn(worded("report.html was changed and stays without this comparison"));
     else if (fs::exists(report))
         files.push_back(report);
 }

@@ -338,7 +338,7 @@ render::ChartPanel time_panel(const std::vector<SchemeLevels>& schemes, const Wo
 /// errors against time.
 render::Image chart_of(const std::vector<SchemeLevels>& schemes, const Words& words) {
     render::Chart chart{words("Convergence"),
-                        words("distance from the extrapolated value, if there is one; otherwise from the finest"),
+                        words("distance from the extrapolated value, else from the finest"),
                         "",
                         4,
                         {},
@@ -422,7 +422,7 @@ std::string renewed_report(const fs::path& folder, const SceneSpec& spec, double
     SummaryFacts facts;
     facts.spec = spec;
     const ErrorEstimates errors = error_estimates(facts, result);
-    const auto parts = [&](const Words& words) { return error_parts(errors, cell_size, words); };
+    const auto parts = [&](const Words& words) { return error_parts(errors, words); };
     return renew_page(result, parts) ? report.string() : std::string();
 }
 

@@ -107,8 +107,7 @@ void log_resuming(const CheckpointFile& from, RunLog& log) {
              from.path());
     if (head.build != checkpoint_build()) {
         log.warn(worded(
-            "the checkpoint is from another build ({1}; this is {2}): the result can differ in rounding from that of "
-            "an uninterrupted run",
+            "checkpoint of another build ({1}; this is {2}): rounding can differ",
             {head.build, std::string(checkpoint_build())}));
     }
 }
@@ -208,8 +207,7 @@ void log_run(const RunResult& result, double end, RunLog& log) {
     }
     if (result.stop_reason == StopReason::requested) {
         log.warn(worded(
-            "the run was stopped at {1} s of at most {2} s: the maps are incomplete; the same command with --resume "
-            "continues it",
+            "stopped at {1} s of {2} s: maps incomplete; --resume continues it",
             {numeral(number_text(result.simulated_seconds, 4)), numeral(number_text(end, 4))}));
     }
 }

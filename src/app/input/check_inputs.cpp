@@ -362,16 +362,4 @@ std::optional<GroundStatistics> ground_of_release(const Scene& scene) {
     return sum.statistics();
 }
 
-Sentence remedy_for_held(const UsedUnit& unit) {
-    if (unit.metres >= 1) return k_held_remedy;
-    return worded(unit.is_of_file
-                      ? worded("The elevations were converted from {1}, as the file says: if they are in metres "
-                               "already, set terrain.vertical-unit = metre. Otherwise check the elevations above "
-                               "against a map, and the friction")
-                      : worded("The elevations were converted from {1}: if they are in metres already, set "
-                               "terrain.vertical-unit = metre. Otherwise check the elevations above against a map, "
-                               "and the friction"),
-                  {unit.name});
-}
-
 }  // namespace frana::app

@@ -45,15 +45,4 @@ void warn_of_unknown_exposure(const gis::ExposedLayer& layer, const Bounds& map,
 /// Statistics of the DTM under the outlines of the release; none if nothing is released.
 std::optional<GroundStatistics> ground_of_release(const Scene& scene);
 
-/// The unit in which elevations were read.
-struct UsedUnit {
-    std::string name;         ///< "foot"
-    double metres = 1;        ///< per unit
-    bool is_of_file = false;  ///< else the user's choice, or assumed
-};
-
-/// Returns what to do where a release is held by friction: elevations that are too low for their eastings look like
-/// this, as metres read as feet.
-Sentence remedy_for_held(const UsedUnit& unit);
-
 }  // namespace frana::app

@@ -34,8 +34,7 @@ std::optional<Sentence> letter_warning() {
                              ? worded("{1} and {2} more", {named, std::to_string(letters.size() - k_named)})
                              : Sentence(named);
     return worded(
-        "no installed font has the letters {1}: pictures show boxes in their place. Install a font that has them, for "
-        "example Debian's fonts-noto-core or fonts-noto-cjk, and draw again with frana render",
+        "no installed font has the letters {1}: install fonts-noto-core or fonts-noto-cjk",
         {all});
 }
 

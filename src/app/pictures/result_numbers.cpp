@@ -204,7 +204,7 @@ RunEnd run_end(const std::string& reason, double seconds, double fastest, double
 }
 
 Sentence creeping_sentence(const RunEnd& end) {
-    return worded("Run-out and area have stopped changing; the deposit still creeps at up to {1} m/s.",
+    return worded("Run-out and area are final; the deposit creeps at {1} m/s.",
                   {numeral(number_text(end.fastest, 2))});
 }
 

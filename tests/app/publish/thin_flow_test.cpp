@@ -42,7 +42,7 @@ TEST_F(ThinFlow, ReleasedInPartIsAWarningOfCheckAndRun) {
     std::vector<std::string> check{"check", "scene.ini"}, run{"run", "scene.ini", "--out", "result"};
     for (auto* words : {&check, &run}) words->insert(words->end(), more.begin(), more.end());
     const std::string told =
-        "% of the release is thinner than numerics.minimum-depth = 0.01 m: maps and results do not include it";
+        "% of release thinner than numerics.minimum-depth = 0.01 m: lower it";
     for (const auto& words : {check, run}) {
         const Outcome outcome = frana(words);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -54,7 +54,7 @@ TEST_F(ThinFlow, ReleasedInPartIsAWarningOfCheckAndRun) {
 
 TEST_F(ThinFlow, ThatOutlinesDoNotShowIsAWarningOfCheckAndRun) {
     write_scene(k_numbers_only);
-    const std::string released = "100 % of the release is thinner than output.trace-threshold = 0.1 m",
+    const std::string released = "100 % of release thinner than output.trace-threshold = 0.1 m",
                       flowed = "the flow was nowhere deeper than output.trace-threshold = 0.1 m, but 0.0";
     const auto call = [&](std::vector<std::string> words, const std::string& threshold) {
         for (const std::string& set :
