@@ -89,7 +89,7 @@ void StructuredFlow::add_fluid(const ParticleSet& particles) {
 void StructuredFlow::add_release(const ParticleSet& columns) {
     if (columns.size() == 0) return;
     if (material_.solids) {
-        const ParticleSet solids = solids_of(columns, material_, numerics_, grid_, state_.stages.fields);
+        const ParticleSet solids = solids_of(columns, material_, grid_, state_.stages.fields);
         structured::add_solids(state_, solids);
         structured::prepare(state_, laws_, pool_);
     }

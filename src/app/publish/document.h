@@ -107,7 +107,7 @@ class Document {
     Document& heading(const std::string& id, const std::string& text) { return add(Heading{text, id}); }
     Document& subheading(const std::string& text) { return add(Heading{text}); }
     Document& paragraph(const std::string& text) { return add(Paragraph{{{text}}}); }
-    /// With some words in bold letters before it: "What fails."
+    /// With some words in bold letters before it: "Limitations."
     Document& paragraph(const std::string& lead, const std::string& text);
     Document& small(const std::string& text) { return add(Paragraph{{{text}}, "", "small"}); }
     Document& part(const std::string& name, Document content) { return group("part", name, std::move(content)); }
