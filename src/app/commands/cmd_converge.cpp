@@ -410,7 +410,7 @@ fs::path make_convergence_folder(const std::string& name, bool overwrite, const 
 
 /// Puts the errors into the report of the scene's own result, if that is of exactly this scene and has no estimate of
 /// its own. Returns the report; empty: there is none, or it stays as it is.
-std::string renewed_report(const fs::path& folder, const SceneSpec& spec, double cell_size) {
+std::string renewed_report(const fs::path& folder, const SceneSpec& spec) {
     const std::string result = output_directory(spec);
     const fs::path scene = fs::path(result) / k_scene_file, summary = fs::path(result) / k_summary_file,
                    report = fs::path(result) / k_report_file;
@@ -509,7 +509,7 @@ int cmd_converge(const Arguments& arguments) {
     write_text_file((folder / k_study).string(), study_json(schemes, spec));
     is_drawn(k_chart, log, [&] { render::write_png((folder / k_chart).string(), chart_of(schemes, words)); });
     record_files(files_of(folder));
-    const std::string report = renewed_report(folder, spec, finest);
+    const std::string report = renewed_report(folder, spec);
     if (values->count("json") > 0) {
         Json document = document_of("converge");
         document["folder"] = folder.string();
