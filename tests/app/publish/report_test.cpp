@@ -45,7 +45,7 @@ TEST_F(Report, ContainsEverythingInOneFile) {
     EXPECT_EQ(count_of(page, "url("), 0U);
     EXPECT_NE(page.find("@media print"), std::string::npos);
     for (const std::string words : {"EPSG:32632", "dtm.asc", "perimeter.geojson", "scar.geojson", "Mass budget",
-                                    "still moving", "Jaccard index", "High intensity", "Depths clamped"})
+                                    "still moves", "Jaccard index", "High intensity", "Depths clamped"})
         EXPECT_NE(page.find(words), std::string::npos) << words;
     EXPECT_NE(page.find("alt=\"Map. Maximum depth: at most "), std::string::npos);
 }
@@ -312,8 +312,8 @@ TEST_F(Report, SpeaksTheLanguageOfTheScene) {
     write_scar();
     for (const auto& [language, words] : std::vector<std::pair<std::string, std::vector<std::string>>>{
              {"it", {"Risposta", "<td>angolo di attrito</td><td>15°", "Confronto con il rilievo"}},
-             {"de", {"Antwort", "<td>Reibungswinkel</td><td>15°", "Vergleich mit der Aufnahme"}},
-             {"fr", {"Réponse", "<td>angle de frottement</td><td>15°", "Comparaison avec le relevé"}},
+             {"de", {"Antwort", "<td>Reibungswinkel</td><td>15°", "Vergleich mit der Kartierung"}},
+             {"fr", {"Réponse", "<td>angle de frottement</td><td>15°", "Comparaison avec le levé"}},
              {"es", {"Respuesta", "<td>ángulo de fricción</td><td>15°", "Comparación con el levantamiento"}}}) {
         write_scene(k_numbers_only + "language = " + language + "\n[observed]\nperimeter = scar.geojson\n");
         ASSERT_EQ(frana({"run", "scene.ini", "--out", language, "--quiet"}).exit_code, 0);
