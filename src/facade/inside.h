@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/ground_statistics.h"
 #include "core/error.h"
 #include "core/raster.h"
 #include "core/text.h"

@@ -168,6 +168,7 @@ TEST(Coupling, ExchangesMomentumUnderGravity) {
         c.material.bed_friction = 0;  // which virtual mass sees
         c.laws.fluid.wall = true;
         c.laws.coupling.drags = exchanges;
+        c.laws.coupling.drag.smoothing_velocity = 5;  // [m/s], as fast as the fluid
         if (!exchanges) c.laws.coupling.virtual_mass.acts = false;
         c.fill(4, 4, 30, 30, [](Point p) { return bench::Seed{3 + 0.1 * p.x, std::sin(p.x), std::cos(p.y)}; });
         const Raster bed =
