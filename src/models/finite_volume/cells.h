@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -23,9 +24,18 @@ struct Cells {
     double* held;                                              ///< 1: friction keeps the cell at rest
     double* head;                                              ///< greatest energy over weight, times g [m2/s2]
     double* start;                                             ///< speed before the step; negative: dry [m/s]
+    double* before;                                            ///< depth before the step [m]
     double *max_depth, *max_speed, *arrival_plus_1;            ///< Maxima
     std::int64_t stride;
 };
+
+/// Friction of a step acts on the mean of the mass before and after it: what flowed in brings that of half a step, by
+/// the predictor. With the mass after it the step would be of first order. Returns its ratio to the mass after it.
+template <class Number>
+[[gnu::always_inline]] inline Number friction_share(Number before, Number after) {
+    using std::min;
+    return min(Number(2.0), 0.5 + 0.5 * before / after);
+}
 
 /// What the kernels of a step need besides the cells.
 struct StepValues {

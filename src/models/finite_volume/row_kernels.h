@@ -38,8 +38,9 @@ FRANA_INLINE SurfaceSteps<Number> surface_steps(Number surface, Number depth_bef
 }
 
 /// Returns g' = g / (1 + grad(h + Z) . grad Z), the weight of a flow whose vertical acceleration is that of its bed
-/// (Denlinger and Iverson 2004, J. Geophys. Res. 109, F01014); where the surface is steeper than the bed g / n, and at
-/// most 2 g.
+/// (Denlinger and Iverson 2004, J. Geophys. Res. 109, F01014), at most 2 g. Where the surface is steeper than the bed,
+/// as at fronts, that which gives the fall of a thin flow (Savage and Hutter 1989) along the bed's slope:
+///     g' S . grad Z = (g / n) (grad Z + G^-1 grad h) . grad Z,  S = grad(h + Z),  G^-1 = I - grad Z grad Z^T / n
 template <class Number>
 FRANA_INLINE Number weight_of(Number surface_x, Number surface_y, Number slope_x, Number slope_y, Number root,
                               const StepValues& v) {
@@ -47,7 +48,8 @@ FRANA_INLINE Number weight_of(Number surface_x, Number surface_y, Number slope_x
     const Number n = root * root, bearing = 1 + surface_x * slope_x + surface_y * slope_y;
     const Number of_bed = v.gravity / n;
     if (v.weight_of_bed) return of_bed;
-    return select(bearing > n, of_bed, v.gravity / max(bearing, Number(0.5)));
+    const Number thin = of_bed * (1 - (bearing - n) * (n - 1) / (n * max(bearing - 1, Number(1e-300))));
+    return select(bearing > n, thin, v.gravity / max(bearing, Number(0.5)));
 }
 
 /// What static friction can stop: on these cells, as held in the sum of 3 x 3 cells [m2/s2], and the speed that it
@@ -133,6 +135,7 @@ FRANA_INLINE void prepare_cells(const Cells& c, std::size_t k, std::size_t n, co
     const auto stands = L::none((side > 0) & (weight * side * side > 4 * v.cell_size * stop.bound));
     put(select(wet & stands & L::none(u.x * u.x + u.y * u.y > slow * slow), Number(1.0), zero), c.held);
     put(select(wet, start, Number(-1.0)), c.start);
+    put(h, c.before);
     put(select(wet, 0.5 * start * start + v.gravity * (z + 2 * h), Number(-1e30)), c.head);
 }
 
@@ -206,7 +209,9 @@ FRANA_INLINE Side side_of(const CellRow& a, const CellRow& b, const CellRow& c, 
     const Quad sloping = min(max(rise - limited<Quad>(z - za, zc - z), -h), h);
     const Quad dh = select(level, select(rough, rise, sloping), limited<Quad>(h - ha, hc - h));
     const Quad gain = half * select(level, 0.5 * (shared_c * (u + uc) - shared_a * (u + ua)), u * dh + h * du);
-    const Quad pull = half * select(level, 0.5 * (shared_c * up + shared_a * down) / max(h, Quad(dry)), rise);
+    // What friction holds is not pulled: it would flow out at the speed of half a step's fall.
+    const Quad pull = half * select(at(b.closed) > 0.5, zero,
+                                    select(level, 0.5 * (shared_c * up + shared_a * down) / max(h, Quad(dry)), rise));
     return {max(zero, h + side * dh - gain), u + side * du - half * u * du - at(b.weight) * pull,
             wn + side * dn - half * u * dn - at(b.drive) * pull, wt + side * dt - half * (u * dt),
             z + side * (rise - dh)};
@@ -223,16 +228,19 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
     const Quad zero(0.0), one(1.0);
     const Quad hb = at(b.depth), hc = at(c.depth), zb = at(b.bed), zc = at(c.bed), dz = zc - zb, surface_b = hb + zb,
                surface_c = hc + zc;
-    // Thin flow that goes down a step higher than it is deep, or is fast enough to climb it, has one bed at the face:
-    // the higher one would dam it.
+    // Flow that goes down, or is fast enough to climb, has one bed at a face where the beds of both cells, each with
+    // its own slope, cross: the higher one would dam it, or hold what friction does not.
     const auto rises = dz > 0;
     const Quad upper = select(rises, hc, hb), towards = select(rises, at(b.speed), -at(c.speed));
     const auto pours = (upper > v.dry) & ((surface_c - surface_b) * dz > 0.5 * dz * dz);
     const auto climbs = L::none(upper > v.dry) & (towards > 0) & (0.5 * towards * towards > v.gravity * abs(dz));
-    const auto one_bed = (abs(dz) > max(hb, hc)) & (pours | climbs);
-    const Quad middle = 0.5 * (zb + zc), low = min(zb, zc), high = max(zb, zc);
-    const Quad bed_below = select(one_bed, middle, min(high, max(low, below.bed))),
-               bed_above = select(one_bed, middle, min(high, max(low, above.bed))), top = max(bed_below, bed_above);
+    const Quad low = min(zb, zc), high = max(zb, zc), from_below = min(high, max(low, below.bed)),
+               from_above = min(high, max(low, above.bed)), middle = 0.5 * (from_below + from_above);
+    const Quad from = select(rises, at(c.normal), at(b.normal));
+    const auto runs = (select(rises, -at(c.speed), at(b.speed)) > 0) & (from * from > v.gravity * upper);
+    const auto one_bed = (pours | climbs) & ((0 > (from_above - from_below) * dz) | (runs & (abs(dz) > max(hb, hc))));
+    const Quad bed_below = select(one_bed, middle, from_below), bed_above = select(one_bed, middle, from_above),
+               top = max(bed_below, bed_above);
     const Quad depth_below = max(zero, below.depth - (top - bed_below)),
                depth_above = max(zero, above.depth - (top - bed_above));
     const auto wet_below = depth_below > v.dry, wet_above = depth_above > v.dry;
@@ -332,7 +340,9 @@ FRANA_INLINE void finish_cells(const Cells& c, std::size_t k, std::size_t n, con
     const auto held = L::none(wet) | (at(c.held) > 0.5);
     const NodeUpdate step{.dt = v.dt, .gravity = v.gravity};
     const Number began = select(before < 0, driven, before);
-    const Number slowed = friction.template speed_after<Number>(k, n, began, driven, held, step, root, supported, some);
+    const Number share = friction_share<Number>(at(c.before), some);
+    const Number slowed =
+        friction.template speed_after<Number>(k, n, began, driven, held, step, root, supported * share, some / share);
     // No cell is faster than the energy of those around it before the step allows.
     const Number energy = max(max(highest(-c.stride), highest(0)), highest(c.stride)) - v.gravity * at(c.bed);
     const Number speed =

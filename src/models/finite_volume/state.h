@@ -79,7 +79,7 @@ struct State {
 
     // What follows from the ground, read where the flow arrives, and what lives within a step.
     ZeroArray<double> bed, slope_x, slope_y, root, curvature_xx, curvature_xy, curvature_yy;
-    ZeroArray<double> weight, slowed_x, slowed_y, pull_x, pull_y, bound, held, head, start;
+    ZeroArray<double> weight, slowed_x, slowed_y, pull_x, pull_y, bound, held, head, start, before;
     ZeroArray<double> force_x, force_y;  ///< of the in-plane stress, over density [m2/s2]; else empty
     ZeroArray<std::uint8_t> ready;       ///< by tile: the ground was read
     ZeroArray<BedState> bed_states;      ///< if friction is summed

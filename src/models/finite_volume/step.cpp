@@ -191,8 +191,9 @@ State::State(NodeGrid grid)
             nodes.scale().origin_y - k_ghost},
       edges(nodes.size()) {
     for (ZeroArray<double>* array :
-         {&depth, &qx, &qy, &bed, &slope_x, &slope_y, &root, &curvature_xx, &curvature_xy, &curvature_yy, &weight,
-          &slowed_x, &slowed_y, &pull_x, &pull_y, &bound, &held, &head, &start})
+         {&depth,        &qx,           &qy,           &bed,    &slope_x,  &slope_y,  &root,
+          &curvature_xx, &curvature_xy, &curvature_yy, &weight, &slowed_x, &slowed_y, &pull_x,
+          &pull_y,       &bound,        &held,         &head,   &start,    &before})
         *array = ZeroArray<double>(nodes.size() + 8);
     const auto count = static_cast<std::size_t>(tiles.tiles_x() * tiles.tiles_y());
     records = ZeroArray<TileRecord>(count);
@@ -200,17 +201,29 @@ State::State(NodeGrid grid)
 }
 
 Cells State::cells(Maxima& maxima) {
-    return {depth.data(),        qx.data(),
-            qy.data(),           bed.data(),
-            slope_x.data(),      slope_y.data(),
-            root.data(),         curvature_xx.data(),
-            curvature_xy.data(), curvature_yy.data(),
-            weight.data(),       slowed_x.data(),
-            slowed_y.data(),     pull_x.data(),
-            pull_y.data(),       bound.data(),
-            held.data(),         head.data(),
-            start.data(),        maxima.depth.data(),
-            maxima.speed.data(), maxima.arrival_plus_1.data(),
+    return {depth.data(),
+            qx.data(),
+            qy.data(),
+            bed.data(),
+            slope_x.data(),
+            slope_y.data(),
+            root.data(),
+            curvature_xx.data(),
+            curvature_xy.data(),
+            curvature_yy.data(),
+            weight.data(),
+            slowed_x.data(),
+            slowed_y.data(),
+            pull_x.data(),
+            pull_y.data(),
+            bound.data(),
+            held.data(),
+            head.data(),
+            start.data(),
+            before.data(),
+            maxima.depth.data(),
+            maxima.speed.data(),
+            maxima.arrival_plus_1.data(),
             nodes.stride()};
 }
 

@@ -249,6 +249,14 @@ class Sweeps {
             s_.bed_states[k] = {h / c_.root[k], supported / c_.root[k], 0, 0, 0, 0, ratio};
         });
         for (const auto& sweep : laws_.friction.sweeps) sweep(range, s_.nodes, s_.bed_states.data());
+        if (dt > 0)
+            range.for_each(c_.stride, [&](std::size_t k, std::int64_t, std::int64_t) {
+                BedState& bed = s_.bed_states[k];
+                const double share = c_.depth[k] > v_.dry ? friction_share(c_.before[k], c_.depth[k]) : 1;
+                bed.yield *= share;
+                bed.linear *= share;
+                bed.square *= share;
+            });
     }
     [[nodiscard]] std::size_t index(std::int64_t i, std::int64_t j) const {
         return static_cast<std::size_t>(j * c_.stride + i);
