@@ -230,8 +230,8 @@ void write_exposed(const std::string& gpkg_path, const std::string& crs_wkt, con
     for (const auto& [shape, ending, type] : k_kinds) {
         if (shapes.count(shape) == 0) continue;
         const auto style = styles.find(shape);
-        RowLayer& layer = layers.emplace_back(RowLayer{
-            base + ending, type, nullptr, {}, style == styles.end() ? StyleText{} : style->second});
+        RowLayer& layer = layers.emplace_back(
+            RowLayer{base + ending, type, nullptr, {}, style == styles.end() ? StyleText{} : style->second});
         for (const ExposedFeature& feature : features)
             if (shape_of(feature.shape).value_or(*shapes.begin()) == shape)
                 layer.rows.push_back({feature.shape.empty() ? nullptr : geometry_of(feature.shape, shape), 0,
@@ -264,8 +264,7 @@ void write_lines_and_points(const std::string& gpkg_path, const std::string& crs
         RowLayer& made = all.emplace_back(
             RowLayer{layer.name, wkbPoint, nullptr, {}, style_or_default(layer.name, layer.style, Shape::point)});
         for (const PointFeature& one : layer.features)
-            made.rows.push_back(
-                {std::make_unique<OGRPoint>(one.place.x, one.place.y), 0, &one.numbers, &one.texts});
+            made.rows.push_back({std::make_unique<OGRPoint>(one.place.x, one.place.y), 0, &one.numbers, &one.texts});
     }
     write_layers(gpkg_path, crs_wkt, std::move(all));
 }

@@ -452,8 +452,7 @@ EngineScene prepare_scene(const Scene::Data& data) {
     // What is thrown moves wherever it lands.
     const bool may_be_held = !spec.release.velocity && !scene.zones.friction_coefficient;
     if (prepared.release_ground)
-        scene.warnings +=
-            release_ground_warnings(*prepared.release_ground, may_be_held ? sure_friction(spec) : 0);
+        scene.warnings += release_ground_warnings(*prepared.release_ground, may_be_held ? sure_friction(spec) : 0);
     return prepared;
 }
 

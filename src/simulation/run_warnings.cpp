@@ -68,11 +68,10 @@ void warn_of_motion(const RunResult& result, Warnings& warnings) {
     if (!motion_at_end(result).front) return;
     const auto [stop, remedy] = stop_and_remedy(result.stop_reason);
     const bool front_rests = result.settling && result.settling->front_is_final;
-    warnings.push_back(
-        {worded(front_rests ? worded("the deposit still moves when {2} ends the run ({1} %): {3}")
-                            : worded("the flow still moves when {2} ends the run ({1} %): {3}"),
-                {percent(result.moving_fraction_limit), stop, remedy}),
-         true});
+    warnings.push_back({worded(front_rests ? worded("the deposit still moves when {2} ends the run ({1} %): {3}")
+                                           : worded("the flow still moves when {2} ends the run ({1} %): {3}"),
+                               {percent(result.moving_fraction_limit), stop, remedy}),
+                        true});
 }
 
 /// Warns of flow not shown on maps.
@@ -202,13 +201,12 @@ Warnings structured_warnings(const StructuredMaterial& m, double thickness, doub
     const Extremes e(m);
     warn_of_keys_without_effect(m, e, where, is_given, warnings);
     if (e.bed_over_own > 1e-6)
-        warnings.push_back(
-            worded("structured.bed-friction-angle {1} degrees over the internal: the material would shear within itself",
-                   {numeral(number_text(e.bed_over_own, 3))}));
+        warnings.push_back(worded(
+            "structured.bed-friction-angle {1} degrees over the internal: the material would shear within itself",
+            {numeral(number_text(e.bed_over_own, 3))}));
     if (e.strain > m.critical_strain)
-        warnings.push_back(
-            worded("elastic strain {1} over structured.critical-strain = {2}: breaks before it yields",
-                   {numeral(number_text(e.strain, 2)), number_text(m.critical_strain, 2)}));
+        warnings.push_back(worded("elastic strain {1} over structured.critical-strain = {2}: breaks before it yields",
+                                  {numeral(number_text(e.strain, 2)), number_text(m.critical_strain, 2)}));
     // share/doc/structured.md, "Edges and cells".
     constexpr double k_edge = 0.81;
     const double least = k_edge * std::tan(e.steepest_bed * std::numbers::pi / 180) * cell_size;
@@ -271,9 +269,8 @@ Warnings release_warnings(const Scene& scene, const Raster& bed, const Raster& r
     for (const ReleasedArea& area : areas) {
         const double width = std::sqrt(area.area), thickness = area.area > 0 ? area.volume / area.area : 0;
         if (thickness <= k_stout * width) continue;
-        warnings.push_back(
-            worded("release {1} m thick on average, of {2} m2: too thick for depth-averaging",
-                   {numeral(number_text(thickness, 3)), numeral(grouped(area.area))}));
+        warnings.push_back(worded("release {1} m thick on average, of {2} m2: too thick for depth-averaging",
+                                  {numeral(number_text(thickness, 3)), numeral(grouped(area.area))}));
     }
     if (particles > 0 && particles < k_few_particles)
         warnings.push_back(worded(k_few_particles_warning, {numeral(std::to_string(particles))}));

@@ -19,12 +19,11 @@
 namespace frana {
 
 /// The pattern of a warning of which the least number is the worst.
-inline constexpr const char* k_few_particles_warning = worded(
-    "{1} particles only: area and run-out uncertain; reduce terrain.cell-size");
+inline constexpr const char* k_few_particles_warning =
+    worded("{1} particles only: area and run-out uncertain; reduce terrain.cell-size");
 
 /// That of flights.
-inline constexpr const char* k_flights_warning = worded(
-    "{1} m3 flew over edges, {2} m high: maps omit it");
+inline constexpr const char* k_flights_warning = worded("{1} m3 flew over edges, {2} m high: maps omit it");
 
 /// Returns what is wrong with a release that no slope has, or that is too small for its cells.
 /// @param scene tells whether a raster gives the thickness

@@ -106,9 +106,8 @@ void log_resuming(const CheckpointFile& from, RunLog& log) {
     log.info("resuming from " + number_text(head.time, 6) + " s, step " + std::to_string(head.step) + ": " +
              from.path());
     if (head.build != checkpoint_build()) {
-        log.warn(worded(
-            "checkpoint of another build ({1}; this is {2}): rounding can differ",
-            {head.build, std::string(checkpoint_build())}));
+        log.warn(worded("checkpoint of another build ({1}; this is {2}): rounding can differ",
+                        {head.build, std::string(checkpoint_build())}));
     }
 }
 
@@ -206,9 +205,8 @@ void log_run(const RunResult& result, double end, RunLog& log) {
                  " node-steps; there it had no friction");
     }
     if (result.stop_reason == StopReason::requested) {
-        log.warn(worded(
-            "stopped at {1} s of {2} s: maps incomplete; --resume continues it",
-            {numeral(number_text(result.simulated_seconds, 4)), numeral(number_text(end, 4))}));
+        log.warn(worded("stopped at {1} s of {2} s: maps incomplete; --resume continues it",
+                        {numeral(number_text(result.simulated_seconds, 4)), numeral(number_text(end, 4))}));
     }
 }
 

@@ -33,9 +33,7 @@ std::optional<Sentence> letter_warning() {
     const Sentence all = letters.size() > k_named
                              ? worded("{1} and {2} more", {named, std::to_string(letters.size() - k_named)})
                              : Sentence(named);
-    return worded(
-        "no installed font has the letters {1}: install fonts-noto-core or fonts-noto-cjk",
-        {all});
+    return worded("no installed font has the letters {1}: install fonts-noto-core or fonts-noto-cjk", {all});
 }
 
 namespace {

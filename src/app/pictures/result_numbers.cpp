@@ -204,8 +204,7 @@ RunEnd run_end(const std::string& reason, double seconds, double fastest, double
 }
 
 Sentence creeping_sentence(const RunEnd& end) {
-    return worded("Run-out and area are final; the deposit creeps at {1} m/s.",
-                  {numeral(number_text(end.fastest, 2))});
+    return worded("Run-out and area are final; the deposit creeps at {1} m/s.", {numeral(number_text(end.fastest, 2))});
 }
 
 std::string end_sentence(const RunEnd& end, const Words& words) {

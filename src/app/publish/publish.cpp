@@ -150,6 +150,8 @@ void log_result(const Finished& run, RunLog& log) {
     const RunResult& result = run.result;
     for (std::size_t i = 0; i < result.released.size(); ++i)
         if (result.released[i].failed) log.note(released_sentence(result.released[i], i).text());
+    if (const auto& file = run.prepared.scene.file_volume)
+        log.note("the thickness raster contains " + grouped(file->inside) + " m3 inside the perimeter");
     if (result.volume_inflow > 0) log.note("inflow through lines: " + grouped(result.volume_inflow) + " m3");
     for (const std::string& note : result.notes) log.note("engine: " + note);
     if (const RunEnd end = run_end(result); end.creeps) log.info(creeping_sentence(end).text());
@@ -267,9 +269,7 @@ constexpr std::pair<const char*, void (*)(Publication&)> k_writers[] = {
      }},
     {"gauges and sections", [](Publication& p) { publish_series(p.prepared(), p.result(), p.directory); }},
     {"profiles",
-     [](Publication& p) {
-         publish_profiles(p.prepared(), p.result(), p.facts.statistics.run_out(), p.directory);
-     }},
+     [](Publication& p) { publish_profiles(p.prepared(), p.result(), p.facts.statistics.run_out(), p.directory); }},
     {"hazard", [](Publication& p) { p.facts.hazard = publish_hazard(p.prepared(), p.result(), p.directory); }},
     {"exposure",
      [](Publication& p) {

@@ -261,13 +261,13 @@ Table four_answers(const ReportInput& input) {
     };
     const Runout& run_out = f.statistics.run_out();
     row(words("How far"), words("Run-out, in map view"), number.grouped(run_out.horizontal_m), "m",
-        error_cell(input.errors, k_run_out_key, words),
-        run_out.horizontal_m > 0 ? place(run_out.tip) : std::string());
+        error_cell(input.errors, k_run_out_key, words), run_out.horizontal_m > 0 ? place(run_out.tip) : std::string());
     const auto strength = [&](std::size_t i, const std::string& question, const std::string& title) {
         const PeakStatistic& what = k_peak_statistics[i];
         const bool has_area = !std::isnan(f.high[i].p999);
         const double value = has_area ? f.high[i].p999 : greatest(f.high[i]);
-        const std::string direction = i == 0 ? std::string(", ") + words(r.depth_is_normal ? k_normal : k_vertical) : "";
+        const std::string direction =
+            i == 0 ? std::string(", ") + words(r.depth_is_normal ? k_normal : k_vertical) : "";
         row(question, has_area ? title : words(what.title), number(value, 3), what.row().unit + direction,
             has_area ? error_cell(input.errors, std::string(what.name) + "_p999_" + what.key_unit, words) : Cell(""),
             place(greatest_place(r.raster(what.name))));

@@ -188,8 +188,7 @@ Document section(const ProbabilityScores& scores, const ProbabilityMap& map, con
     return Document()
         .heading("comparison", words("Comparison with the survey"))
         .add(Figure{"", map_title(map, words),
-                    words("Reliability of probabilities, and ROC curve with area {1}",
-                          {number(scores.auroc, 3)}),
+                    words("Reliability of probabilities, and ROC curve with area {1}", {number(scores.auroc, 3)}),
                     page_chart_svg(probability_chart(scores, map))})
         .add(table);
 }

@@ -139,10 +139,10 @@ TEST_F(GroundDoubts, CopiedCellsAreToldWithTheirFactorAndFranasOwnResamplingIsRi
 }
 
 TEST_F(GroundDoubts, CopiedCellsOfOtherFactorsAreTold) {
-    for (const auto& [coarse, words] : {std::pair{20.0, "blocks of 2 x 2"},
-                                        {15.0, "blocks of 1.5 x 1.5"},
+    for (const auto& [coarse, words] : {std::pair{20.0, "cells (2 x 2)"},
+                                        {15.0, "cells (1.5 x 1.5)"},
                                         {33.0, "cells (3.3 x 3.3)"},
-                                        {90.0, "blocks of 9 x 9"}}) {
+                                        {90.0, "cells (9 x 9)"}}) {
         write_grid("bed", 10, copied(coarse, waves));
         expect_words(doubts(), {words});
     }

@@ -240,8 +240,7 @@ TEST_P(StructuredPlacesWarn, OfWhatIsLegalAndDubious) {
 INSTANTIATE_TEST_SUITE_P(
     What, StructuredPlacesWarn,
     ::testing::Values(
-        Dubious{"nothing", {}, ""},
-        Dubious{"cells_too_large", {"structured.bed-friction-angle=28"}, "its edges stand"},
+        Dubious{"nothing", {}, ""}, Dubious{"cells_too_large", {"structured.bed-friction-angle=28"}, "its edges stand"},
         Dubious{"bed_rougher_than_the_material",
                 {"structured.bed-friction-angle=30", "structured.internal-friction-angle=25"},
                 "5 degrees over the internal"},

@@ -43,7 +43,8 @@ TEST_F(SuspiciousInput, ElevationsInDecimetresAreReportedAndTheUnitIsAKey) {
     write_dtm([](int, int column) { return 10 * slope(column); });
     const Outcome wrong = frana({"check", "scene.ini"});
     EXPECT_EQ(wrong.exit_code, 0) << wrong.err;
-    expect_words(wrong.err, {"the release is nearly vertical, 79 degrees", "terrain.vertical-unit", "the path is steeper"});
+    expect_words(wrong.err,
+                 {"the release is nearly vertical, 79 degrees", "terrain.vertical-unit", "the path is steeper"});
     const Outcome right = frana({"check", "scene.ini", "--set", "terrain.vertical-unit=decimetre"});
     EXPECT_EQ(right.exit_code, 0) << right.err;
     EXPECT_EQ(right.err.find("vertical"), std::string::npos) << right.err;

@@ -52,14 +52,16 @@ TEST(ScenarioWords, TellTurbulenceThatIsOffFromTurbulenceByPlace) {
         << scenario_words(facts, {});
 }
 
-// What a page in another language is made of goes through summary.json unchanged, with its place and how far it matters.
+// What a page in another language is made of goes through summary.json unchanged, with its place and how far it
+// matters.
 TEST(Warnings, ComeBackFromASummaryInAnyLanguage) {
     const Warnings warnings{
         {worded("{1} m3 ({2} %) left the computed ground: use a larger DTM", {numeral("1 234.5"), numeral("12")}), true,
          Point{600000, 5000000}},
         worded("{1}: not before the end of the run",
                {worded("release area {1} '{2}'", {std::string("2"), std::string("Süd\"")})}),
-        worded("without values"), std::string("a text of another program")};
+        worded("without values"),
+        std::string("a text of another program")};
     const Json summary{{"warning_values", json_of(warnings)}};
     const Warnings back = warnings_in(Json::parse(summary.dump()));
     EXPECT_EQ(back, warnings);

@@ -9,11 +9,9 @@ namespace frana {
 namespace {
 
 TEST(Sentences, AreEnglishTextsAndShownInALanguageWithTheirNumbers) {
-    const Sentence left = worded(
-        "{1} m3 ({2} %) left the computed ground: use a larger DTM",
-        {numeral("1 234.5"), numeral("2.5")});
-    EXPECT_EQ(left.text(),
-              "1 234.5 m3 (2.5 %) left the computed ground: use a larger DTM");
+    const Sentence left =
+        worded("{1} m3 ({2} %) left the computed ground: use a larger DTM", {numeral("1 234.5"), numeral("2.5")});
+    EXPECT_EQ(left.text(), "1 234.5 m3 (2.5 %) left the computed ground: use a larger DTM");
     EXPECT_EQ(left.in(Words(Language::german)).find("1.234,5 m³ (2,5 %) verließen"), 0U);
 }
 

@@ -101,7 +101,7 @@ TEST(Reference, TheJsonFormNamesKeysInALanguageAndPlacesTenInADialogue) {
     }
     EXPECT_EQ(places.size(), 10U);
     EXPECT_EQ(*places.rbegin(), 9U) << "each row of the table is a key";
-    EXPECT_GT(titled, 40);
+    EXPECT_GE(titled, 40);
     EXPECT_GT(translated, titled * 9 / 10);
 }
 
