@@ -3,10 +3,10 @@
 
 #include <ogrsf_frmts.h>
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <set>
+#include <tuple>
 
 #include "core/error.h"
 #include "core/files.h"
@@ -80,7 +80,92 @@ bool write_layer_styles(GDALDataset& dataset, const std::vector<LayerStyle>& sty
     return true;
 }
 
-bool write_layer(GDALDataset& dataset, OGRSpatialReference* crs, const std::string& name, const PointTable& table) {
+using Numbers = std::map<std::string, double>;
+using Texts = std::map<std::string, std::string>;
+
+/// A feature of any kind as OGR takes it.
+struct Row {
+    std::unique_ptr<OGRGeometry> shape;  ///< null: none
+    double measured = 0;                 ///< in the layer's column of measure
+    const Numbers* numbers;
+    const Texts* texts;
+};
+
+struct RowLayer {
+    std::string name;
+    OGRwkbGeometryType type;
+    const char* measure;  ///< its column; null: none
+    std::vector<Row> rows;
+    StyleText style;
+};
+
+std::unique_ptr<OGRLineString> line_of(const Polyline& line) {
+    auto made = std::make_unique<OGRLineString>();
+    for (const Point& place : line) made->addPoint(place.x, place.y);
+    return made;
+}
+
+double length_of(const Polyline& line) {
+    double sum = 0;
+    for (std::size_t i = 1; i < line.size(); ++i)
+        sum += std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
+    return sum;
+}
+
+/// Writes the features with a column for each attribute. GeoPackage reserves two names, and the measure's is used; a
+/// name that is a number in one feature and text in another is a number where it is one. NaN becomes NULL.
+bool write_rows(GDALDataset& dataset, OGRSpatialReference* crs, RowLayer& from) {
+    OGRLayer* const layer = dataset.CreateLayer(from.name.c_str(), crs, from.type, nullptr);
+    if (layer == nullptr) return false;
+    const auto reserved = [&](const std::string& name) {
+        return EQUAL(name.c_str(), "fid") || EQUAL(name.c_str(), "geom") ||
+               (from.measure != nullptr && EQUAL(name.c_str(), from.measure));
+    };
+    std::set<std::string> numbers, texts;
+    for (const Row& row : from.rows) {
+        for (const auto& [name, value] : *row.numbers)
+            if (!reserved(name)) numbers.insert(name);
+        for (const auto& [name, value] : *row.texts)
+            if (!reserved(name)) texts.insert(name);
+    }
+    const auto create = [&](const std::string& name, OGRFieldType type) {
+        OGRFieldDefn field(name.c_str(), type);
+        return layer->CreateField(&field) == OGRERR_NONE;
+    };
+    if (from.measure != nullptr && !create(from.measure, OFTReal)) return false;
+    for (const std::string& name : numbers)
+        if (texts.erase(name); !create(name, OFTReal)) return false;
+    for (const std::string& name : texts)
+        if (!create(name, OFTString)) return false;
+    for (Row& row : from.rows) {
+        OGRFeature feature(layer->GetLayerDefn());
+        if (from.measure != nullptr) feature.SetField(from.measure, row.measured);
+        for (const auto& [name, value] : *row.numbers)
+            if (numbers.count(name) > 0 && !std::isnan(value)) feature.SetField(name.c_str(), value);
+        for (const auto& [name, value] : *row.texts)
+            if (texts.count(name) > 0) feature.SetField(name.c_str(), valid_utf8(value).c_str());
+        if (row.shape) feature.SetGeometryDirectly(row.shape.release());
+        if (layer->CreateFeature(&feature) != OGRERR_NONE) return false;
+    }
+    return true;
+}
+
+void write_layers(const std::string& gpkg_path, const std::string& crs_wkt, std::vector<RowLayer> layers) {
+    write_geopackage(gpkg_path, crs_wkt, [&](GDALDataset& dataset, OGRSpatialReference* crs) {
+        std::vector<LayerStyle> styles;
+        for (RowLayer& layer : layers) {
+            if (!write_rows(dataset, crs, layer)) return false;
+            if (!layer.style.qml.empty()) styles.push_back({layer.name, layer.style});
+        }
+        return write_layer_styles(dataset, styles);
+    });
+}
+
+StyleText style_or_default(const std::string& layer, const StyleText& own, Shape shape) {
+    return own.qml.empty() ? style_of(layer, shape, {}) : own;
+}
+
+bool write_table(GDALDataset& dataset, OGRSpatialReference* crs, const std::string& name, const PointTable& table) {
     OGRLayer* layer = dataset.CreateLayer(name.c_str(), crs, wkbPoint, nullptr);
     if (!layer) return false;
     for (const PointTable::Column& column : table.columns) {
@@ -99,244 +184,89 @@ bool write_layer(GDALDataset& dataset, OGRSpatialReference* crs, const std::stri
     return true;
 }
 
+/// What a feature mostly is; areas before lines before points. None: it has no shape.
+std::optional<Shape> shape_of(const MixedShape& shape) {
+    if (!shape.areas.empty()) return Shape::area;
+    if (!shape.lines.empty()) return Shape::line;
+    if (!shape.points.empty()) return Shape::point;
+    return std::nullopt;
+}
+
+std::unique_ptr<OGRGeometry> geometry_of(const MixedShape& mixed, Shape shape) {
+    if (shape == Shape::area) return to_ogr(mixed.areas);
+    if (shape == Shape::line) {
+        auto all = std::make_unique<OGRMultiLineString>();
+        for (const Polyline& one : mixed.lines) all->addGeometryDirectly(line_of(one).release());
+        return all;
+    }
+    auto all = std::make_unique<OGRMultiPoint>();
+    for (const Point& place : mixed.points) all->addGeometryDirectly(new OGRPoint(place.x, place.y));
+    return all;
+}
+
 }  // namespace
 
 void write_points(const std::string& gpkg_path, const std::string& crs_wkt, const std::string& layer_name,
                   const PointTable& table) {
     write_geopackage(gpkg_path, crs_wkt, [&](GDALDataset& dataset, OGRSpatialReference* crs) {
         // One transaction: otherwise every row would be written to disk separately.
-        return dataset.StartTransaction() == OGRERR_NONE && write_layer(dataset, crs, layer_name, table) &&
+        return dataset.StartTransaction() == OGRERR_NONE && write_table(dataset, crs, layer_name, table) &&
                write_layer_styles(dataset, {{layer_name, style_of(layer_name, Shape::point, {})}}) &&
                dataset.CommitTransaction() == OGRERR_NONE;
     });
 }
 
-namespace {
-
-struct Kind {
-    Shape shape;
-    const char* ending;
-    OGRwkbGeometryType type;
-};
-constexpr Kind k_kinds[] = {{Shape::area, "_areas", wkbMultiPolygon},
-                            {Shape::line, "_lines", wkbMultiLineString},
-                            {Shape::point, "_points", wkbMultiPoint}};
-
-/// What a feature mostly is; areas before lines before points. None: it has no shape.
-std::optional<Shape> shape_of(const ExposedFeature& feature) {
-    if (!feature.shape.areas.empty()) return Shape::area;
-    if (!feature.shape.lines.empty()) return Shape::line;
-    if (!feature.shape.points.empty()) return Shape::point;
-    return std::nullopt;
-}
-
-std::unique_ptr<OGRGeometry> geometry_of(const ExposedFeature& feature, Shape shape) {
-    if (shape == Shape::area) return to_ogr(feature.shape.areas);
-    if (shape == Shape::line) {
-        auto all = std::make_unique<OGRMultiLineString>();
-        for (const Polyline& one : feature.shape.lines) {
-            OGRLineString line;
-            for (const Point& place : one) line.addPoint(place.x, place.y);
-            all->addGeometry(&line);
-        }
-        return all;
-    }
-    auto all = std::make_unique<OGRMultiPoint>();
-    for (const Point& place : feature.shape.points) {
-        const OGRPoint point(place.x, place.y);
-        all->addGeometry(&point);
-    }
-    return all;
-}
-
-/// GeoPackage's own columns.
-bool is_reserved(const std::string& name) {
-    return EQUAL(name.c_str(), "fid") || EQUAL(name.c_str(), "geom");
-}
-
-bool write_features(OGRLayer& layer, Shape shape, const std::vector<const ExposedFeature*>& features) {
-    std::set<std::string> numbers, texts;
-    for (const ExposedFeature* feature : features) {
-        for (const auto& [name, value] : feature->numbers) numbers.insert(name);
-        for (const auto& [name, value] : feature->texts) texts.insert(name);
-    }
-    const auto create = [&](const std::string& name, OGRFieldType type) {
-        OGRFieldDefn field(name.c_str(), type);
-        return is_reserved(name) || layer.CreateField(&field) == OGRERR_NONE;
-    };
-    for (const std::string& name : numbers)
-        if (!create(name, OFTReal)) return false;
-    for (const std::string& name : texts)
-        if (!create(name, OFTString)) return false;
-    for (const ExposedFeature* feature : features) {
-        OGRFeature row(layer.GetLayerDefn());
-        for (const auto& [name, value] : feature->numbers)
-            if (!is_reserved(name) && !std::isnan(value)) row.SetField(name.c_str(), value);
-        for (const auto& [name, value] : feature->texts)
-            if (!is_reserved(name)) row.SetField(name.c_str(), valid_utf8(value).c_str());
-        if (!feature->shape.empty()) row.SetGeometryDirectly(geometry_of(*feature, shape).release());
-        if (layer.CreateFeature(&row) != OGRERR_NONE) return false;
-    }
-    return true;
-}
-
-}  // namespace
-
 void write_exposed(const std::string& gpkg_path, const std::string& crs_wkt, const std::string& base,
                    const std::vector<ExposedFeature>& features, const std::map<Shape, StyleText>& styles) {
-    std::map<Shape, std::vector<const ExposedFeature*>> by_shape;
+    constexpr std::tuple<Shape, const char*, OGRwkbGeometryType> k_kinds[] = {
+        {Shape::area, "_areas", wkbMultiPolygon},
+        {Shape::line, "_lines", wkbMultiLineString},
+        {Shape::point, "_points", wkbMultiPoint}};
+    std::set<Shape> shapes;
     for (const ExposedFeature& feature : features)
-        if (const auto shape = shape_of(feature)) by_shape[*shape].push_back(&feature);
-    if (by_shape.empty()) by_shape[Shape::point];
-    for (const ExposedFeature& feature : features)
-        if (!shape_of(feature)) by_shape.begin()->second.push_back(&feature);
-    write_geopackage(gpkg_path, crs_wkt, [&](GDALDataset& dataset, OGRSpatialReference* crs) {
-        std::vector<LayerStyle> layer_styles;
-        for (const Kind& kind : k_kinds) {
-            const auto found = by_shape.find(kind.shape);
-            if (found == by_shape.end()) continue;
-            const std::string name = base + kind.ending;
-            OGRLayer* const layer = dataset.CreateLayer(name.c_str(), crs, kind.type, nullptr);
-            if (layer == nullptr || !write_features(*layer, kind.shape, found->second)) return false;
-            if (const auto style = styles.find(kind.shape); style != styles.end())
-                layer_styles.push_back({name, style->second});
-        }
-        return write_layer_styles(dataset, layer_styles);
-    });
+        if (const auto shape = shape_of(feature.shape)) shapes.insert(*shape);
+    if (shapes.empty()) shapes.insert(Shape::point);
+    std::vector<RowLayer> layers;
+    for (const auto& [shape, ending, type] : k_kinds) {
+        if (shapes.count(shape) == 0) continue;
+        const auto style = styles.find(shape);
+        RowLayer& layer = layers.emplace_back(
+            RowLayer{base + ending, type, nullptr, {}, style == styles.end() ? StyleText{} : style->second});
+        for (const ExposedFeature& feature : features)
+            if (shape_of(feature.shape).value_or(*shapes.begin()) == shape)
+                layer.rows.push_back({feature.shape.empty() ? nullptr : geometry_of(feature.shape, shape), 0,
+                                      &feature.numbers, &feature.texts});
+    }
+    write_layers(gpkg_path, crs_wkt, std::move(layers));
 }
-
-namespace {
-
-struct Fields {
-    std::set<std::string> numbers, texts;
-};
-
-/// Conversion of one kind of feature to OGR's: its measure in a separate column, if it has one, and its shape.
-struct OutlineKind {
-    static constexpr OGRwkbGeometryType type = wkbMultiPolygon;
-    static constexpr const char* measure = "area_m2";
-    static double measured(const PolygonFeature& feature) { return area(feature.parts); }
-    static std::unique_ptr<OGRGeometry> shape(const PolygonFeature& feature) { return to_ogr(feature.parts); }
-};
-struct LineKind {
-    static constexpr OGRwkbGeometryType type = wkbLineString;
-    static constexpr const char* measure = "length_m";
-    static double measured(const LineFeature& feature) {
-        double sum = 0;
-        for (std::size_t i = 1; i < feature.line.size(); ++i)
-            sum += std::hypot(feature.line[i].x - feature.line[i - 1].x, feature.line[i].y - feature.line[i - 1].y);
-        return sum;
-    }
-    static std::unique_ptr<OGRGeometry> shape(const LineFeature& feature) {
-        auto line = std::make_unique<OGRLineString>();
-        for (const Point& place : feature.line) line->addPoint(place.x, place.y);
-        return line;
-    }
-};
-struct PointKind {
-    static constexpr OGRwkbGeometryType type = wkbPoint;
-    static constexpr const char* measure = nullptr;
-    static double measured(const PointFeature&) { return 0; }
-    static std::unique_ptr<OGRGeometry> shape(const PointFeature& feature) {
-        return std::make_unique<OGRPoint>(feature.place.x, feature.place.y);
-    }
-};
-
-/// GeoPackage reserves two names, and the measure's is used; an attribute may not have them.
-template <class Kind>
-bool reserved(const std::string& name) {
-    if constexpr (Kind::measure != nullptr) {
-        if (EQUAL(name.c_str(), Kind::measure)) return true;
-    }
-    return EQUAL(name.c_str(), "fid") || EQUAL(name.c_str(), "geom");
-}
-
-template <class Kind, class Feature>
-Fields fields_of(const std::vector<Feature>& features) {
-    Fields fields;
-    for (const Feature& feature : features) {
-        for (const auto& [name, value] : feature.numbers) {
-            if (!reserved<Kind>(name)) fields.numbers.insert(name);
-        }
-        for (const auto& [name, value] : feature.texts) {
-            if (!reserved<Kind>(name)) fields.texts.insert(name);
-        }
-    }
-    // A name that is a number in one feature and text in another is stored as a number where it is one.
-    for (const std::string& name : fields.numbers) fields.texts.erase(name);
-    return fields;
-}
-
-template <class Kind, class Feature>
-bool write_layer(GDALDataset& dataset, OGRSpatialReference* crs, const std::string& layer_name,
-                 const std::vector<Feature>& features) {
-    OGRLayer* layer = dataset.CreateLayer(layer_name.c_str(), crs, Kind::type, nullptr);
-    if (!layer) return false;
-    const Fields fields = fields_of<Kind>(features);
-    const auto create = [&](const std::string& name, OGRFieldType type) {
-        OGRFieldDefn field(name.c_str(), type);
-        return layer->CreateField(&field) == OGRERR_NONE;
-    };
-    if constexpr (Kind::measure != nullptr) {
-        if (!create(Kind::measure, OFTReal)) return false;
-    }
-    for (const std::string& name : fields.numbers) {
-        if (!create(name, OFTReal)) return false;
-    }
-    for (const std::string& name : fields.texts) {
-        if (!create(name, OFTString)) return false;
-    }
-    for (const Feature& feature : features) {
-        OGRFeature row(layer->GetLayerDefn());
-        if constexpr (Kind::measure != nullptr) row.SetField(Kind::measure, Kind::measured(feature));
-        for (const auto& [name, value] : feature.numbers) {
-            if (!reserved<Kind>(name) && !std::isnan(value)) row.SetField(name.c_str(), value);
-        }
-        for (const auto& [name, value] : feature.texts) {
-            if (fields.texts.count(name) > 0) row.SetField(name.c_str(), valid_utf8(value).c_str());
-        }
-        row.SetGeometryDirectly(Kind::shape(feature).release());
-        if (layer->CreateFeature(&row) != OGRERR_NONE) return false;
-    }
-    return true;
-}
-
-template <class Layer>
-void add_styles(const std::vector<Layer>& layers, Shape shape, std::vector<LayerStyle>& styles) {
-    for (const Layer& layer : layers)
-        styles.push_back({layer.name, layer.style.qml.empty() ? style_of(layer.name, shape, {}) : layer.style});
-}
-
-}  // namespace
 
 void write_outlines(const std::string& gpkg_path, const std::string& crs_wkt, const std::vector<OutlineLayer>& layers) {
-    std::vector<LayerStyle> styles;
-    add_styles(layers, Shape::area, styles);
-    write_geopackage(gpkg_path, crs_wkt, [&](GDALDataset& dataset, OGRSpatialReference* crs) {
-        return std::all_of(layers.begin(), layers.end(),
-                           [&](const OutlineLayer& layer) {
-                               return write_layer<OutlineKind>(dataset, crs, layer.name, layer.features);
-                           }) &&
-               write_layer_styles(dataset, styles);
-    });
+    std::vector<RowLayer> all;
+    for (const OutlineLayer& layer : layers) {
+        RowLayer& made = all.emplace_back(RowLayer{
+            layer.name, wkbMultiPolygon, "area_m2", {}, style_or_default(layer.name, layer.style, Shape::area)});
+        for (const PolygonFeature& one : layer.features)
+            made.rows.push_back({to_ogr(one.parts), area(one.parts), &one.numbers, &one.texts});
+    }
+    write_layers(gpkg_path, crs_wkt, std::move(all));
 }
 
 void write_lines_and_points(const std::string& gpkg_path, const std::string& crs_wkt,
                             const std::vector<LineLayer>& lines, const std::vector<PointLayer>& points) {
-    std::vector<LayerStyle> styles;
-    add_styles(lines, Shape::line, styles);
-    add_styles(points, Shape::point, styles);
-    write_geopackage(gpkg_path, crs_wkt, [&](GDALDataset& dataset, OGRSpatialReference* crs) {
-        return std::all_of(lines.begin(), lines.end(),
-                           [&](const LineLayer& layer) {
-                               return write_layer<LineKind>(dataset, crs, layer.name, layer.features);
-                           }) &&
-               std::all_of(points.begin(), points.end(),
-                           [&](const PointLayer& layer) {
-                               return write_layer<PointKind>(dataset, crs, layer.name, layer.features);
-                           }) &&
-               write_layer_styles(dataset, styles);
-    });
+    std::vector<RowLayer> all;
+    for (const LineLayer& layer : lines) {
+        RowLayer& made = all.emplace_back(RowLayer{
+            layer.name, wkbLineString, "length_m", {}, style_or_default(layer.name, layer.style, Shape::line)});
+        for (const LineFeature& one : layer.features)
+            made.rows.push_back({line_of(one.line), length_of(one.line), &one.numbers, &one.texts});
+    }
+    for (const PointLayer& layer : points) {
+        RowLayer& made = all.emplace_back(
+            RowLayer{layer.name, wkbPoint, nullptr, {}, style_or_default(layer.name, layer.style, Shape::point)});
+        for (const PointFeature& one : layer.features)
+            made.rows.push_back({std::make_unique<OGRPoint>(one.place.x, one.place.y), 0, &one.numbers, &one.texts});
+    }
+    write_layers(gpkg_path, crs_wkt, std::move(all));
 }
 
 }  // namespace frana::gis

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/ground_statistics.h"
 #include "core/error.h"
 #include "core/raster.h"
 #include "core/text.h"
@@ -93,7 +94,7 @@ inline void check_particle_count(double count, const std::string& where, Problem
 struct EngineScene {
     SceneSpec spec;
     frana::Scene scene;
-    std::vector<std::string> warnings;
+    std::optional<GroundStatistics> release_ground;
 };
 
 /// Throws the engine's Error(input) with every problem of the scene, in the words of scene files.

@@ -193,7 +193,7 @@ void add_initial_fluid(const Scene::Data& data, const SceneSpec& spec, const Gri
 
 /// The structured model's material, where that is the scene's model. Needs release and inflows.
 std::optional<StructuredMaterial> structured_material(const Scene::Data& data, const SceneSpec& spec,
-                                                      const frana::Scene& scene, std::vector<std::string>& warnings,
+                                                      const frana::Scene& scene, Warnings& warnings,
                                                       Problems& problems) {
     std::optional<StructuredMaterial> material = structured_of(spec);
     for (const auto& [key, values] : data.by_place)
@@ -218,9 +218,7 @@ std::optional<StructuredMaterial> structured_material(const Scene::Data& data, c
         return data.by_place.count(key) > 0 ||
                std::any_of(data.keys.begin(), data.keys.end(), [&](const auto& given) { return given.first == key; });
     };
-    if (material->solids)
-        for (const Sentence& warning : structured_warnings(*material, thickest, scene.grid.cell_size, where, is_given))
-            warnings.push_back(warning.text());
+    if (material->solids) warnings += structured_warnings(*material, thickest, scene.grid.cell_size, where, is_given);
     return material;
 }
 
@@ -360,7 +358,7 @@ std::string metres(double value) {
     return shortest_text(value) + " m";
 }
 
-void check_elevations(const Values& elevations, std::vector<std::string>& warnings, Problems& problems) {
+void check_elevations(const Values& elevations, Warnings& warnings, Problems& problems) {
     double lowest = HUGE_VAL, highest = -HUGE_VAL;
     for (const double z : elevations.cells) {
         if (std::isnan(z)) continue;
@@ -384,6 +382,21 @@ void check_elevations(const Values& elevations, std::vector<std::string>& warnin
     if (lowest < k_lowest_ground)
         warnings.push_back("the lowest elevation is " + metres(lowest) +
                            ", lower than any dry ground. Where there is no data give NaN; give metres elsewhere");
+}
+
+/// As frana run counts them: the cells whose centres the outlines contain.
+std::optional<GroundStatistics> ground_of_release(const frana::Scene& scene) {
+    GroundSum sum(scene.terrain);
+    const GridSpec& grid = scene.grid;
+    const auto cell = [&](double distance) { return static_cast<std::int64_t>(std::floor(distance / grid.cell_size)); };
+    for (const ReleaseArea& area : scene.release) {
+        const InsideTest inside(area.outline);
+        const Bounds box = bounds(area.outline);
+        for (std::int64_t row = cell(grid.north - box.north); row <= cell(grid.north - box.south); ++row)
+            for (std::int64_t column = cell(box.west - grid.west); column <= cell(box.east - grid.west); ++column)
+                if (inside(grid.cell_centre(row, column))) sum.add(row, column);
+    }
+    return sum.statistics();
 }
 
 frana::Raster terrain_of(const Scene::Data& data, const SceneSpec& spec, const GridSpec& grid) {
@@ -417,11 +430,11 @@ EngineScene prepare_scene(const Scene::Data& data) {
     Problems problems = reading.problems;
     EngineScene prepared;
     prepared.spec = reading.scene;
-    prepared.warnings = texts_of(reading.warnings);
     const SceneSpec& spec = prepared.spec;
     frana::Scene& scene = prepared.scene;
+    scene.warnings.assign(reading.warnings.begin(), reading.warnings.end());
     scene.grid = spec_of(data.grid);
-    check_elevations(data.elevations, prepared.warnings, problems);
+    check_elevations(data.elevations, scene.warnings, problems);
     scene.terrain = terrain_of(data, spec, scene.grid);
     scene.walls = walls_of(data.walls, scene.grid, problems);
     set_values(spec, scene);
@@ -429,12 +442,17 @@ EngineScene prepare_scene(const Scene::Data& data) {
     scene.inflows = inflows_of(data, spec, problems);
     add_recorded(data, scene.grid, scene.recording, problems);
     scene.zones = material_zones(data, spec, scene.grid, problems);
-    scene.structured = structured_material(data, spec, scene, prepared.warnings, problems);
+    scene.structured = structured_material(data, spec, scene, scene.warnings, problems);
     check_inflow_counts(scene, problems);
     problems.throw_if_any();
     place_origin(scene);
     (void)set_table_friction(spec, std::nullopt, "material.friction-table", scene, problems);
     problems.throw_if_any();
+    prepared.release_ground = ground_of_release(scene);
+    // What is thrown moves wherever it lands.
+    const bool may_be_held = !spec.release.velocity && !scene.zones.friction_coefficient;
+    if (prepared.release_ground)
+        scene.warnings += release_ground_warnings(*prepared.release_ground, may_be_held ? sure_friction(spec) : 0);
     return prepared;
 }
 

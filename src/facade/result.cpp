@@ -5,13 +5,11 @@
 #include <utility>
 
 #include "analysis/exposure.h"
-#include "core/geometry.h"
 #include "core/json.h"
 #include "facade/frana.h"
 #include "facade/inside.h"
 #include "params/keys/result_rasters.h"
 #include "simulation/run_summary.h"
-#include "simulation/run_warnings.h"
 
 namespace frana::facade {
 
@@ -68,21 +66,6 @@ std::vector<Record> records_of(const std::vector<Named>& named, const std::vecto
     refuse({"is no raster of this result", name, "", names, "Choose one of them"});
 }
 
-/// As frana run counts them: the cells whose centres the outlines contain.
-std::optional<GroundStatistics> ground_of_release(const frana::Scene& scene) {
-    GroundSum sum(scene.terrain);
-    const GridSpec& grid = scene.grid;
-    const auto cell = [&](double distance) { return static_cast<std::int64_t>(std::floor(distance / grid.cell_size)); };
-    for (const ReleaseArea& area : scene.release) {
-        const InsideTest inside(area.outline);
-        const Bounds box = bounds(area.outline);
-        for (std::int64_t row = cell(grid.north - box.north); row <= cell(grid.north - box.south); ++row)
-            for (std::int64_t column = cell(box.west - grid.west); column <= cell(box.east - grid.west); ++column)
-                if (inside(grid.cell_centre(row, column))) sum.add(row, column);
-    }
-    return sum.statistics();
-}
-
 void require_finite(const MixedShape& shape) {
     const auto check = [](const std::vector<frana::Point>& points) {
         for (const frana::Point& p : points)
@@ -96,22 +79,6 @@ void require_finite(const MixedShape& shape) {
         check(polygon.outer);
         for (const frana::Ring& hole : polygon.holes) check(hole);
     }
-}
-
-/// As frana run warns, in its order: of the run, the keys, the ground under the release, the ground under its path.
-std::vector<std::string> warnings_of(const RunResult& result, const EngineScene& prepared, const TraceFigures& trace) {
-    std::vector<std::string> all = texts_of(sentences_of(result.warnings));
-    all.insert(all.end(), prepared.warnings.begin(), prepared.warnings.end());
-    const auto add = [&](const std::vector<Sentence>& more) {
-        for (const Sentence& warning : more) all.push_back(warning.text());
-    };
-    // What is thrown moves wherever it lands.
-    const bool may_be_held = !prepared.spec.release.velocity && !prepared.scene.zones.friction_coefficient;
-    if (trace.release_ground)
-        add(release_ground_warnings(*trace.release_ground, may_be_held ? sure_friction(prepared.spec) : 0,
-                                    k_held_remedy));
-    if (trace.path_ground) add(path_ground_warnings(*trace.path_ground));
-    return all;
 }
 
 std::string summary_of(const RunResult& result, const EngineScene& prepared, const TraceFigures& trace,
@@ -139,8 +106,8 @@ std::shared_ptr<const Result::Data> result_data(RunResult result, const EngineSc
     data->grid = grid;
     data->recording = prepared.scene.recording;
     TraceFigures trace = trace_figures(result, prepared.scene.terrain, prepared.spec.output.trace_threshold);
-    trace.release_ground = ground_of_release(prepared.scene);
-    data->warnings = warnings_of(result, prepared, trace);
+    trace.release_ground = prepared.release_ground;
+    data->warnings = texts_of(result.warnings);
     data->summary = summary_of(result, prepared, trace, data->warnings);
     data->result = std::move(result);
     // Read of the caller's memory while that is as it was; of a large map only where the flow came.

@@ -198,7 +198,7 @@ std::vector<std::string> Scene::check() const {
         // What is found only by placing the mass.
         const frana::Release release = make_release(prepared.scene);
         const Arrivals arrivals(prepared.scene, release.later);
-        return prepared.warnings;
+        return texts_of(prepared.scene.warnings);
     });
 }
 

@@ -59,7 +59,6 @@ enum class Field : unsigned char {
     flatness,     // 1 / (1 + |grad b|^2) of the bed
     submergence,  // fraction of the pores filled by free fluid
     released,     // confined fluid released in the present step
-    divergence,   // of the velocity, in the last substep
     hydrostatic,  // part of pore_pressure that is hydrostatic
     count
 };
@@ -112,7 +111,6 @@ inline constexpr std::array<FieldInfo, k_fields> k_field_table{{
     {"flatness", "-", 1},
     {"submergence", "-", 0},
     {"released", "m3", 0},
-    {"divergence", "1/s", 0},
     {"hydrostatic", "-", 0},
 }};
 

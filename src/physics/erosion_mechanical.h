@@ -11,22 +11,21 @@ namespace frana {
 
 /// Erosion by the jump of shear stress and velocity across the bed surface:
 ///
-///     rate = (tau - tau_r) / (rho lambda s) for tau > tau_r, otherwise 0      [m/s]
+///     rate = (tau - tau_r) / (rho s) for tau > tau_r, otherwise 0      [m/s]
 ///     tau_r = c + (1 - r_b) sigma tan(phi_b)
 ///
 /// tau shear stress of the flow, tau_r strength of the bed [Pa], c its cohesion [Pa], phi_b its friction
-/// angle, r_b its pore pressure over total normal stress sigma [-], rho density [kg/m3], s mean speed [m/s],
-/// lambda velocity at the base over mean velocity [-]. Range: 0 < lambda <= 1.5, 0 <= r_b <= 1. Limits: at
+/// angle, r_b its pore pressure over total normal stress sigma [-], rho density [kg/m3], s mean speed [m/s]; the
+/// velocity at the base is the mean one. Range: 0 <= r_b <= 1. Limits: at
 /// depth zero tau = sigma = 0 and nothing is eroded; the law has no limit at speed zero, so below 0.1 m/s the rate
 /// decreases in proportion to s (our choice). Sources: momentum jump at the bed, Fraccarollo and Capart 2002, J. Fluid
 /// Mech. 461, 183; Iverson 2012, J. Geophys. Res. 117, F03006; the mechanical erosion rate of Pudasaini and Fischer
-/// 2020, Int. J. Multiphase Flow 132, 103416, has this form for one phase with equal densities, lambda being their
-/// drift.
+/// 2020, Int. J. Multiphase Flow 132, 103416, has this form for one phase with equal densities, with a drift of 1.
 struct MechanicalErosion {
     static constexpr bool active = true;
     static constexpr const char* word = "mechanical";
     struct Values {
-        std::optional<double> bed_friction_angle, bed_cohesion, bed_pore_pressure_ratio, velocity_ratio;
+        std::optional<double> bed_friction_angle, bed_cohesion, bed_pore_pressure_ratio;
     };
     static auto keys() {
         const MechanicalErosion law;
@@ -36,17 +35,14 @@ struct MechanicalErosion {
             law_key(&Values::bed_cohesion, "entrainment.bed-cohesion", "", "Pa", {0, 1e6},
                     "Cohesion of the bed's material.", shortest_text(law.bed_cohesion)),
             law_key(&Values::bed_pore_pressure_ratio, "entrainment.bed-pore-pressure-ratio", "", "", {0, 1},
-                    "Pore pressure over total normal stress in the bed.", shortest_text(law.bed_pore_pressure)),
-            law_key(&Values::velocity_ratio, "entrainment.velocity-ratio", "", "", {0, 1.5, true},
-                    "Velocity at the base over mean velocity.", shortest_text(law.velocity_ratio))};
+                    "Pore pressure over total normal stress in the bed.", shortest_text(law.bed_pore_pressure))};
     }
     static Law row() { return {.sentence = worded("mechanical erosion"), .needs = {"entrainment.erodible-depth"}}; }
     template <class Entrainment>
     static MechanicalErosion build(const Entrainment& e, double density) {
         const MechanicalErosion law;
         return {density, tangent_of(e.bed_friction_angle.value()), e.bed_cohesion.value_or(law.bed_cohesion),
-                e.bed_pore_pressure_ratio.value_or(law.bed_pore_pressure),
-                e.velocity_ratio.value_or(law.velocity_ratio)};
+                e.bed_pore_pressure_ratio.value_or(law.bed_pore_pressure)};
     }
 
     static constexpr double k_slow = 0.1;  ///< [m/s]
@@ -54,12 +50,11 @@ struct MechanicalErosion {
     double bed_friction = 0.6;             ///< tan(phi_b) [-]
     double bed_cohesion = 0;               ///< c [Pa]
     double bed_pore_pressure = 0;          ///< r_b [-]
-    double velocity_ratio = 1;             ///< lambda [-]
 
     double operator()(const BedContact& c) const noexcept {
         const double strength = bed_cohesion + (1 - bed_pore_pressure) * c.normal * bed_friction;
         const double excess = std::max(0.0, c.shear - strength);
-        return excess * c.speed / (density * velocity_ratio * std::max(c.speed * c.speed, k_slow * k_slow));
+        return excess * c.speed / (density * std::max(c.speed * c.speed, k_slow * k_slow));
     }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a law says of itself, in its own header: its row (Law), its keys (LawKey, LawChoice) and, in `Values`, their
+// What a law says of itself, in its own header: its row (Law), its keys (LawKey) and, in `Values`, their
 // values. src/physics/laws.h lists the laws; everything else loops over that list.
 #pragma once
 
@@ -76,17 +76,6 @@ struct LawKey {
     bool may_be_off = false;
 
     [[nodiscard]] bool needed() const { return !std::is_same_v<Number, double> && absent.empty(); }
-};
-
-/// The same for one of several words.
-template <class Values, class Value>
-struct LawChoice {
-    Value Values::*member;
-    const char* name;
-    std::vector<std::pair<std::string, Value>> words;
-    const char* meaning;
-
-    [[nodiscard]] static bool needed() { return false; }
 };
 
 template <class Values, class Number>

@@ -8,7 +8,7 @@
 #include "physics/erosion_growth.h"
 #include "physics/erosion_mechanical.h"
 #include "physics/erosion_shear_stress.h"
-#include "physics/friction_bingham_quadratic.h"
+#include "physics/friction_bingham.h"
 #include "physics/friction_chezy.h"
 #include "physics/friction_cohesion.h"
 #include "physics/friction_coulomb.h"
@@ -28,7 +28,7 @@ using BedLaws =
     LawList<LawKind::bed_friction, CoulombFriction, TurbulentFriction, CohesiveFriction, RammsYield, BinghamFriction,
             HerschelBulkleyExcess, OBrienJulienFriction, ManningFriction, ChezyFriction, PouliquenForterreExcess>;
 /// Those of bed friction that are no polynomial of the speed; 5 slopes x 4 = 20 of update_nodes.
-using ExcessLaw = std::variant<NoExcess, HerschelBulkleyExcess, BinghamQuadraticExcess, PouliquenForterreExcess>;
+using ExcessLaw = std::variant<NoExcess, HerschelBulkleyExcess, PouliquenForterreExcess>;
 
 /// 2 schemes x 3 transfers x 3 stresses x 2 = 36 of nodes_to_particles.
 using StressLaws = LawList<LawKind::in_plane_stress, BinghamStress, EarthPressureStress>;

@@ -43,24 +43,15 @@ struct BinghamStress {
     static constexpr const char* word = "bingham";
     struct Values {
         double viscosity = 0, yield_stress = 0;
-        double yield_regularisation = k_yield_regularisation;
-        bool exact_yield_ratio = true;
 
         /// With neither viscosity nor yield stress there is no stress.
         [[nodiscard]] bool has_bingham_stress() const noexcept { return viscosity > 0 || yield_stress > 0; }
     };
     static auto keys() {
-        return std::tuple{
-            law_key(&Values::viscosity, "material.viscosity", worded("viscosity"), "Pa s", {0, 1e8},
-                    "Bingham viscosity."),
-            law_key(&Values::yield_stress, "material.yield-stress", worded("yield stress"), "Pa", {0, 1e7},
-                    "Yield stress."),
-            law_key(&Values::yield_regularisation, "material.yield-regularisation", "", "1/s", {1e-6, 10},
-                    "Shear rate below which the yield stress in the plane is regularised."),
-            LawChoice{&Values::exact_yield_ratio,
-                      "material.yield-ratio",
-                      {{"exact", true}, {"quadratic", false}},
-                      "Ratio of yield stress to bed stress: root of the cubic, or the paper's quadratic."}};
+        return std::tuple{law_key(&Values::viscosity, "material.viscosity", worded("viscosity"), "Pa s", {0, 1e8},
+                                  "Bingham viscosity."),
+                          law_key(&Values::yield_stress, "material.yield-stress", worded("yield stress"), "Pa",
+                                  {0, 1e7}, "Yield stress.")};
     }
     static Law row() {
         return {.sentence = worded("in-plane viscosity"), .yield_sentence = worded("in-plane yield stress")};
@@ -71,14 +62,13 @@ struct BinghamStress {
     }
     template <class Material>
     static BinghamStress build(const Material& m, double) {
-        return {m.viscosity / m.density, m.yield_stress / m.density, m.yield_regularisation, m.exact_yield_ratio};
+        return {m.viscosity / m.density, m.yield_stress / m.density};
     }
     [[nodiscard]] static double wave_factor() noexcept { return 1; }
 
     double viscosity_over_density = 0;               ///< mu / rho [m2/s]
     double yield_over_density = 0;                   ///< tau_Y / rho [m2/s2]
     double regularisation = k_yield_regularisation;  ///< r [1/s]
-    bool exact_ratio = true;                         ///< zeta from the cubic; false: from the paper's quadratic
 
     template <class Number>
     [[nodiscard, gnu::always_inline]] PlaneStress<Number> operator()(const StrainRate<Number>& rate) const noexcept {
@@ -87,7 +77,7 @@ struct BinghamStress {
         if (yield_over_density > 0) {
             const Number speed = sqrt(rate.u * rate.u + rate.v * rate.v);
             const Number a = 6 * viscosity_over_density * speed / (yield_over_density * rate.depth);
-            const Number zeta = exact_ratio ? ExactYieldRatio{}(a) : QuadraticYieldRatio{}(a);
+            const Number zeta = ExactYieldRatio{}(a);
             const Number k = select(rate.depth > 0, 3 / ((2 + zeta) * rate.depth), Number(0.0));
             const Number shear_x = k * rate.u, shear_y = k * rate.v;  // du/dz, dv/dz
             const Number zz = -(rate.xx + rate.yy);

@@ -36,14 +36,4 @@ struct ExactYieldRatio {
     }
 };
 
-/// The paper's quadratic (9), 48 zeta^2 - (114 + 32 a) zeta + 65 = 0: the smaller root. Error up to 0.043.
-struct QuadraticYieldRatio {
-    template <LaneNumber Number>
-    [[nodiscard, gnu::always_inline]] Number operator()(Number a) const noexcept {
-        using std::sqrt;
-        const Number b = 57 + 16 * a;
-        return 65 / (b + sqrt(b * b - 48 * 65));
-    }
-};
-
 }  // namespace frana

@@ -12,7 +12,7 @@
 #include "core/geometry.h"
 #include "core/point_table.h"
 #include "core/raster.h"
-#include "core/words/sentence.h"
+#include "core/words/warning.h"
 
 namespace frana {
 
@@ -123,8 +123,6 @@ enum class StopReason {
     end_time,
     still,
     settled,
-    energy,
-    moving_volume,
     momentum,
     all_left,
     requested,
@@ -136,14 +134,13 @@ enum class StopReason {
 
 /// Returns whether a run that stopped for this reason before its end time has nothing more to compute.
 [[nodiscard]] constexpr bool ends_finally(StopReason reason) noexcept {
-    return reason == StopReason::still || reason == StopReason::settled || reason == StopReason::energy ||
-           reason == StopReason::moving_volume || reason == StopReason::momentum || reason == StopReason::all_left;
+    return reason == StopReason::still || reason == StopReason::settled || reason == StopReason::momentum ||
+           reason == StopReason::all_left;
 }
 
 /// Returns whether the flow may still have moved when a run ended for this reason.
 [[nodiscard]] constexpr bool ends_in_motion(StopReason reason) noexcept {
-    return reason == StopReason::end_time || reason == StopReason::energy || reason == StopReason::moving_volume ||
-           reason == StopReason::momentum || reason == StopReason::requested;
+    return reason == StopReason::end_time || reason == StopReason::momentum || reason == StopReason::requested;
 }
 
 /// The actual release of one area.
@@ -213,13 +210,6 @@ struct PhaseBudget {
         0;  ///< between the velocities of both phases where both are, weighted by fluid, at the end [m/s]
 };
 
-/// What a reader must know before relying on a result.
-struct RunWarning {
-    Sentence words;           ///< a pattern and its numbers; made a text of where it is shown
-    bool limits_use = false;  ///< changes how a map may be used (cut, left the ground, a lower bound): it stands on it
-    std::optional<Point> place{};  ///< map coordinates; none: of the result as a whole
-};
-
 /// The result of a run: rasters on the working grid (NaN where nothing ever flowed), series, counts.
 struct RunResult {
     /// All that the run made: the table of rasters describes each. Maxima are updated at every step.
@@ -276,7 +266,8 @@ struct RunResult {
     std::vector<RunProblem> run_problems;  ///< of the run's last step
     std::vector<std::string> terms;        ///< physics and numerics of the run
     std::vector<std::string> notes;        ///< for log.txt: choices made
-    std::vector<RunWarning> warnings;      ///< the first is the worst
+    /// The run's, the worst first, then the scene's: every page, table and tag is made of these values.
+    Warnings warnings;
 };
 
 /// Expected resources of a run of a scene.

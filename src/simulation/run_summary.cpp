@@ -244,10 +244,6 @@ std::string stop_word(StopReason reason) {
             return "still";
         case StopReason::settled:
             return "settled";
-        case StopReason::energy:
-            return "energy";
-        case StopReason::moving_volume:
-            return "moving-volume";
         case StopReason::momentum:
             return "momentum";
         case StopReason::all_left:

@@ -20,8 +20,6 @@
 namespace frana {
 namespace {
 
-using Warnings = std::vector<RunWarning>;
-
 constexpr double k_shown_fraction = 0.05;  // relative difference of a raster's volume from the flow's without a warning
 constexpr double k_jumping = 0.05;         // of all volume, over all jumps
 // Greatest rise of energy without a warning, of the work of gravity: a mass slides as much farther.
@@ -37,22 +35,8 @@ constexpr double k_flat_release = 2, k_steep_release = 55;
 // Granular flows and mudflows run out over 5 to 35 degrees. Feet read as metres turn 30 degrees into 62.
 constexpr double k_steep_path = 45;
 
-const char* const k_steep_remedy = worded(
-    "Elevations in feet or decimetres read as metres look like this: check the elevations above against a map, "
-    "terrain.vertical-unit, and the DTM for steps and towers");
-
-void append(Warnings& warnings, const std::vector<Sentence>& more, bool limits_use) {
-    for (const Sentence& words : more) warnings.push_back({words, limits_use});
-}
-
 Sentence percent(double fraction) {
     return numeral(number_text(100 * fraction, 2));
-}
-
-/// Summed over the window: material that keeps moving is counted more than once.
-Sentence volume_that_moved(double fraction) {
-    if (fraction <= 1) return worded("{1} % of the volume changed cell", {percent(fraction)});
-    return worded("all of the volume changed cell, {1} times over", {numeral(number_text(fraction, 2))});
 }
 
 /// Warns of ground without elevation that the flow came to: it may have gone farther.
@@ -63,23 +47,15 @@ void warn_of_gaps(const RunResult& result, const Scene& scene, Warnings& warning
                             false});
     const GapContact gap = gap_contact(result, scene);
     if (gap.cells == 0 || result.stop_reason == StopReason::reached_no_data) return;
-    warnings.push_back(
-        {worded(
-             "the flow came to ground without elevation, in {1} cells in or beside it, up to {2} m deep: such ground "
-             "holds it back as a wall would, and its run-out may be too short; use a DTM without gaps, or set "
-             "terrain.nodata-policy to wall or fill",
-             {numeral(std::to_string(gap.cells)), numeral(number_text(gap.depth, 3))}),
-         true});
+    warnings.push_back({worded("no-data in {1} cells held the flow ({2} m): set terrain.nodata-policy",
+                               {numeral(std::to_string(gap.cells)), numeral(number_text(gap.depth, 3))}),
+                        true});
 }
 
 /// What stopped a run while its flow may have moved, and what lets it run on.
 std::pair<std::string, Sentence> stop_and_remedy(StopReason reason) {
     const auto lower = [](const char* key) { return std::pair(std::string(key), worded("lower {1}", {key})); };
     switch (reason) {
-        case StopReason::energy:
-            return lower("time.stop-energy-fraction");
-        case StopReason::moving_volume:
-            return lower("time.stop-moving-fraction");
         case StopReason::momentum:
             return lower("time.stop-momentum");
         case StopReason::settled:
@@ -91,29 +67,15 @@ std::pair<std::string, Sentence> stop_and_remedy(StopReason reason) {
     }
 }
 
-/// At the end: the moving volume, and how fast the main results still grow.
-void warn_of_motion(const RunResult& result, const Scene& scene, Warnings& warnings) {
+/// At the end: the moving volume.
+void warn_of_motion(const RunResult& result, Warnings& warnings) {
     if (!motion_at_end(result).front) return;
     const auto [stop, remedy] = stop_and_remedy(result.stop_reason);
-    Sentence motion =
-        worded("the flow still moves when {3} ends the run: {1} % of its volume faster than {2} m/s",
-               {percent(result.moving_fraction_limit), numeral(number_text(scene.time.moving_speed)), stop});
-    // The series contains the speed shown on maps.
-    if (const double fastest = result.series.back().max_speed; fastest > 0)
-        motion = worded("{1}, the fastest at {2} m/s", {motion, numeral(number_text(fastest, 3))});
-    if (result.settling) {
-        const Settling& s = *result.settling;
-        motion = worded("{1}; in its last {2} s the run-out grew by {3} m, the area by {4} % and {5}",
-                        {motion, numeral(number_text(s.window, 2)), numeral(number_text(s.runout, 3)), percent(s.area),
-                         volume_that_moved(s.deposit)});
-    }
     const bool front_rests = result.settling && result.settling->front_is_final;
-    warnings.push_back(
-        {worded(front_rests
-                    ? worded("{1}. Final depth is not that of the deposit, and what moves may push the front on: {2}")
-                    : worded("{1}. Final depth and run-out are not those of the deposit: {2}"),
-                {motion, remedy}),
-         true});
+    warnings.push_back({worded(front_rests ? worded("the deposit still moves when {2} ends the run ({1} %): {3}")
+                                           : worded("the flow still moves when {2} ends the run ({1} %): {3}"),
+                               {percent(result.moving_fraction_limit), stop, remedy}),
+                        true});
 }
 
 /// Warns of flow not shown on maps.
@@ -122,16 +84,9 @@ void warn_of_thin_flow(const RunResult& result, const Scene& scene, Warnings& wa
     const double minimum = scene.numerics.minimum_depth;
     const bool was_visible = maximum(result.raster("max_depth")) > 0;
     warnings.push_back(
-        {worded(
-             was_visible
-                 ? worded("at one time {1} % of the flow was thinner than numerics.minimum-depth = {2} m, and is not "
-                          "included there in maps, areas, speeds and run-out: set numerics.minimum-depth to about a "
-                          "hundredth of the usual flow depth")
-                 : worded(
-                       "the maps are empty: the flow was nowhere as deep as numerics.minimum-depth = {2} m, and is not "
-                       "included there in maps, areas, speeds and run-out: set numerics.minimum-depth to about a "
-                       "hundredth of the usual flow depth"),
-             {percent(result.thin_fraction), shortest_text(minimum)}),
+        {worded(was_visible ? worded("{1} % of flow thinner than numerics.minimum-depth = {2} m: lower it")
+                            : worded("empty maps: {1} % thinner than numerics.minimum-depth = {2} m: lower it"),
+                {percent(result.thin_fraction), shortest_text(minimum)}),
          true});
 }
 
@@ -139,11 +94,7 @@ void warn_of_thin_flow(const RunResult& result, const Scene& scene, Warnings& wa
 void warn_of_empty_trace(const RunResult& result, const Scene& scene, Warnings& warnings) {
     const double threshold = scene.time.trace_threshold, deepest = maximum(result.raster("max_depth"));
     if (!(deepest > 0) || deepest > threshold) return;
-    warnings.push_back({worded("the flow was nowhere deeper than output.trace-threshold = {1} m, but {2} m: trace, "
-                               "deposit and covered area "
-                               "are empty, run-out is 0 and a comparison finds nothing. Set output.trace-threshold to "
-                               "about a tenth of the "
-                               "usual flow depth",
+    warnings.push_back({worded("flow nowhere deeper than output.trace-threshold = {1} m ({2} m): lower it",
                                {shortest_text(threshold), numeral(number_text(deepest, 3))}),
                         true});
 }
@@ -188,6 +139,30 @@ SurfaceStep greatest_step(const Raster& bed, const Raster& release) {
     return greatest;
 }
 
+/// The release must equal the volume of the raster that gives its thickness inside the perimeter.
+void warn_of_file_volume(const Scene& scene, const std::vector<ReleasedArea>& areas, Warnings& warnings) {
+    constexpr double k_scaled = 1.25, k_different = 0.01;
+    constexpr double k_of_this_mass = 0.5;  // inside: less, and the raster has the thickness of all ground
+    const FileVolume& file = *scene.file_volume;
+    if (!(file.inside > 0)) return;
+    double released = 0;
+    for (const ReleasedArea& area : areas) {
+        released += area.volume;
+        if (area.scaled > k_scaled || area.scaled < 1 / k_scaled)
+            warnings.push_back(
+                worded("the thickness was scaled by {1} to its file's volume: look for values that mean no data",
+                       {numeral(number_text(area.scaled, 3))}));
+    }
+    const double difference = released / file.inside - 1, part = file.inside / file.all;
+    if (part > k_of_this_mass && part < 1 - k_different)
+        warnings.push_back(
+            worded("the thickness raster contains {1} m3, the perimeter has {2} m3: {3} % are not released",
+                   {numeral(grouped(file.all)), numeral(grouped(file.inside)), percent(1 - part)}));
+    if (std::abs(difference) > k_different)
+        warnings.push_back(worded("release of {2} m3, thickness raster {1} m3 inside the perimeter ({3} %)",
+                                  {numeral(grouped(file.inside)), numeral(grouped(released)), percent(difference)}));
+}
+
 /// Extremes over all materials of a scene.
 struct Extremes {
     double cohesion = 0;      ///< [Pa]
@@ -211,19 +186,12 @@ struct Extremes {
 };
 
 void warn_of_keys_without_effect(const StructuredMaterial& m, const Extremes& e, const KeyPlace& where,
-                                 const KeyTest& is_given, std::vector<Sentence>& warnings) {
-    if (m.fluid_viscosity == 0) {
-        for (const char* key : {"structured.mobility", "structured.viscosity-growth",
-                                "structured.solids-profile-factor", "structured.velocity-profile-factor"})
-            if (is_given(key))
-                warnings.push_back(worded("{1} has no effect: structured.fluid-viscosity is 0", {where(key)}));
-    }
+                                 const KeyTest& is_given, Warnings& warnings) {
     const std::string confined = "structured.confined-fraction";
     if (!is_given(confined) || !(m.confined_fraction > 0)) return;
     if (e.cohesion == 0)
         warnings.push_back(
-            worded("{1} has no effect: without structured.cohesion nothing confines fluid, and all of it is free",
-                   {where(confined)}));
+            worded("{1} has no effect without structured.cohesion: all fluid is free", {where(confined)}));
     else if (e.least_solid_fraction == 1)
         warnings.push_back(
             worded("{1} has no effect: with structured.solid-fraction = 1 there are no pores", {where(confined)}));
@@ -231,47 +199,36 @@ void warn_of_keys_without_effect(const StructuredMaterial& m, const Extremes& e,
 
 }  // namespace
 
-std::vector<Sentence> structured_warnings(const StructuredMaterial& m, double thickness, double cell_size,
-                                          const KeyPlace& where, const KeyTest& is_given) {
-    std::vector<Sentence> warnings;
+Warnings structured_warnings(const StructuredMaterial& m, double thickness, double cell_size, const KeyPlace& where,
+                             const KeyTest& is_given) {
+    Warnings warnings;
     const Extremes e(m);
     warn_of_keys_without_effect(m, e, where, is_given, warnings);
     if (e.bed_over_own > 1e-6)
         warnings.push_back(worded(
-            "structured.bed-friction-angle is up to {1} degrees more than the material's internal-friction-angle: it "
-            "would shear within itself and leave a layer on the bed, which the model does not compute. Take at most "
-            "the internal angle",
+            "structured.bed-friction-angle {1} degrees over the internal: the material would shear within itself",
             {numeral(number_text(e.bed_over_own, 3))}));
     if (e.strain > m.critical_strain)
-        warnings.push_back(worded(
-            "at its strength the material has an elastic strain of {1}, more than structured.critical-strain = {2}: it "
-            "loses its cohesion before it yields. Raise structured.young-modulus (and bulk-modulus) or the critical "
-            "strain, or lower the cohesion",
-            {numeral(number_text(e.strain, 2)), number_text(m.critical_strain, 2)}));
+        warnings.push_back(worded("elastic strain {1} over structured.critical-strain = {2}: breaks before it yields",
+                                  {numeral(number_text(e.strain, 2)), number_text(m.critical_strain, 2)}));
     // share/doc/structured.md, "Edges and cells".
     constexpr double k_edge = 0.81;
     const double least = k_edge * std::tan(e.steepest_bed * std::numbers::pi / 180) * cell_size;
     if (thickness > 0 && thickness < least)
-        warnings.push_back(worded(
-            "the release is at most {1} m thick, less than {5} tan({2} degrees) times the cell size, {3} m: its edges "
-            "stand whatever their cohesion, and it breaks too little. Choose terrain.cell-size = {4} or less",
-            {numeral(number_text(thickness, 3)), numeral(number_text(e.steepest_bed, 3)),
-             numeral(number_text(least, 3)), number_text(0.5 * thickness / least * cell_size, 2),
-             numeral(number_text(k_edge, 2))}));
+        warnings.push_back(worded("release {1} m thick, under {2} m: its edges stand. Set terrain.cell-size = {3}",
+                                  {numeral(number_text(thickness, 3)), numeral(number_text(least, 3)),
+                                   number_text(0.5 * thickness / least * cell_size, 2)}));
     const double shortest = k_least_length * cell_size, longest = k_greatest_default * cell_size;
     if (const double wanted = k_of_thickness * thickness;
         thickness > 0 && e.cohesion > 0 && !m.damage_length && (wanted < shortest || wanted > longest))
-        warnings.push_back(worded(
-            "structured.damage-length is not given: on these cells it is a fourth of the thickness, but at least {1} m "
-            "and at most {2} m, so that the loss of cohesion follows the cell size. Set it to the same value for all "
-            "cell sizes",
-            {numeral(number_text(shortest, 3)), numeral(number_text(longest, 3))}));
+        warnings.push_back(worded("structured.damage-length is not given ({1} to {2} m): set it",
+                                  {numeral(number_text(shortest, 3)), numeral(number_text(longest, 3))}));
     return warnings;
 }
 
-std::vector<Sentence> thin_release_warnings(const Raster& release, const Scene& scene) {
-    std::vector<Sentence> warnings;
-    const auto warn = [&](const char* key, double depth, const char* then) {
+Warnings thin_release_warnings(const Raster& release, const Scene& scene) {
+    Warnings warnings;
+    const auto warn = [&](const char* key, double depth) {
         double thin = 0, all = 0;
         release.values.for_each_stored([&](std::size_t, double metres) {
             if (!(metres > 0)) return;
@@ -280,16 +237,13 @@ std::vector<Sentence> thin_release_warnings(const Raster& release, const Scene& 
         });
         const double fraction = all > 0 ? thin / all : 0;
         if (fraction <= k_thin_fraction) return;
-        warnings.push_back(worded("{1} % of the release is thinner than {2} = {3} m: {4}",
-                                  {percent(fraction), key, shortest_text(depth), then}));
+        warnings.push_back({worded("{1} % of release thinner than {2} = {3} m: lower it",
+                                   {percent(fraction), key, shortest_text(depth)}),
+                            true});
     };
-    warn("numerics.minimum-depth", scene.numerics.minimum_depth,
-         worded("maps and results do not include it; set the key to about a hundredth of the usual flow depth"));
+    warn("numerics.minimum-depth", scene.numerics.minimum_depth);
     if (scene.time.trace_threshold > scene.numerics.minimum_depth)
-        warn("output.trace-threshold", scene.time.trace_threshold,
-             worded(
-                 "outlines, covered area and run-out do not include it; set the key to about a tenth of the usual flow "
-                 "depth"));
+        warn("output.trace-threshold", scene.time.trace_threshold);
     return warnings;
 }
 
@@ -304,27 +258,23 @@ double sure_friction(const SceneSpec& scene) {
            (1 - scene.material.pore_pressure(scene.material.density).greatest());
 }
 
-std::vector<Sentence> release_warnings(const Scene& scene, const Raster& bed, const Raster& release,
-                                       const std::vector<ReleasedArea>& areas, std::int64_t particles) {
-    std::vector<Sentence> warnings;
+Warnings release_warnings(const Scene& scene, const Raster& bed, const Raster& release,
+                          const std::vector<ReleasedArea>& areas, std::int64_t particles) {
+    Warnings warnings;
+    if (scene.file_volume) warn_of_file_volume(scene, areas, warnings);
     const bool by_raster = std::any_of(scene.release.begin(), scene.release.end(),
                                        [](const ReleaseArea& area) { return area.thickness_raster.has_value(); });
     const SurfaceStep step = greatest_step(bed, release);
     if (step.height > std::max(k_high_step, k_steep_step * release.grid.cell_size))
         warnings.push_back(worded(
-            by_raster ? worded("the surface of the release stands {1} m above the cell beside it, at E {2}, N {3}: a "
-                               "raster of thickness that lies half a cell off the DTM does that, and the first speeds "
-                               "come from this step")
-                      : worded("the surface of the release stands {1} m above the cell beside it, at E {2}, N {3}: "
-                               "the first speeds come from this step"),
+            by_raster ? worded("release step of {1} m at E {2}, N {3}: align its raster")
+                      : worded("release step of {1} m at E {2}, N {3}: first speeds uncertain"),
             {numeral(number_text(step.height, 3)), numeral(grouped(step.place.x)), numeral(grouped(step.place.y))}));
     for (const ReleasedArea& area : areas) {
         const double width = std::sqrt(area.area), thickness = area.area > 0 ? area.volume / area.area : 0;
         if (thickness <= k_stout * width) continue;
-        warnings.push_back(
-            worded("a release of {2} m2 is {1} m thick on average: the equations hold for masses much wider than "
-                   "thick",
-                   {numeral(number_text(thickness, 3)), numeral(grouped(area.area))}));
+        warnings.push_back(worded("release {1} m thick on average, of {2} m2: too thick for depth-averaging",
+                                  {numeral(number_text(thickness, 3)), numeral(grouped(area.area))}));
     }
     if (particles > 0 && particles < k_few_particles)
         warnings.push_back(worded(k_few_particles_warning, {numeral(std::to_string(particles))}));
@@ -339,55 +289,42 @@ Sentence released_sentence(const ReleasedArea& area, std::size_t index) {
         {name, numeral(grouped(area.volume)), numeral(grouped(area.area)), numeral(shortest_text(area.start))});
 }
 
-std::vector<RunWarning> run_warnings(const RunResult& result, const Scene& scene) {
+Warnings run_warnings(const RunResult& result, const Scene& scene) {
     Warnings warnings;
     for (std::size_t i = 0; i < result.released.size(); ++i)
         if (!result.released[i].failed)
             warnings.push_back(
                 {worded("{1}: not before the end of the run", {released_sentence(result.released[i], i)}), true});
     if (result.stop_reason == StopReason::reached_no_data) {
-        warnings.push_back({worded("the run ended because the flow reached ground without elevation: the map is "
-                                   "incomplete; use a larger DTM, "
-                                   "or set terrain.nodata-policy to wall or fill"),
-                            true});
+        warnings.push_back({worded("the run ended at ground without elevation: use a larger DTM"), true});
     }
     if (!result.hard_events.none())
         warnings.push_back({worded("There were numerical events that do not occur in a good run."), true});
     warn_of_gaps(result, scene, warnings);
-    warn_of_motion(result, scene, warnings);
-    append(warnings, thin_release_warnings(result.raster("release"), scene), true);
+    warn_of_motion(result, warnings);
+    warnings += thin_release_warnings(result.raster("release"), scene);
     warn_of_thin_flow(result, scene, warnings);
     warn_of_empty_trace(result, scene, warnings);
-    append(warnings,
-           release_warnings(scene, result.raster("bed"), result.raster("release"), result.released,
-                            result.particles_initial),
-           false);
+    warnings += release_warnings(scene, result.raster("bed"), result.raster("release"), result.released,
+                                 result.particles_initial);
     warn_of_energy(result, warnings);
     warn_of_piles(result, scene, warnings);
     const double shown = result.volume_shown;
     if (std::abs(shown - result.volume_final) > k_shown_fraction * result.volume_final) {
-        warnings.push_back(
-            {worded(
-                 shown < result.volume_final
-                     ? worded(
-                           "the depths of final_depth.tif add up to {1} m3, the flow has {2} m3: where particles are "
-                           "crowded, in gullies narrower than a few cells, the depths shown are too small. Choose "
-                           "smaller cells, or take deposit volumes from summary.json")
-                     : worded("the depths of final_depth.tif add up to {1} m3, the flow has {2} m3: at edges and walls "
-                              "the "
-                              "depths shown are too great. Choose smaller cells, or take deposit volumes from "
-                              "summary.json"),
-                 {numeral(grouped(shown)), numeral(grouped(result.volume_final))}),
-             false});
+        warnings.push_back(worded("final_depth.tif has {1} m3, the flow {2} m3: use smaller cells",
+                                  {numeral(grouped(shown)), numeral(grouped(result.volume_final))}));
     }
     if (left_ground(result)) {
         warnings.push_back(
-            {worded(
-                 "{1} m3 left the computed ground ({2} % of all volume that came in): the map does not show its full "
-                 "run-out; use a larger DTM or terrain.bounds",
-                 {numeral(grouped(result.volume_left)), percent(result.volume_left / result.volume_entered)}),
+            {worded("{1} m3 ({2} %) left the computed ground: use a larger DTM",
+                    {numeral(grouped(result.volume_left)), percent(result.volume_left / result.volume_entered)}),
              true});
     }
+    const Raster trace = trace_mask(result.raster("max_depth"), scene.time.trace_threshold);
+    if (const auto path = ground_where(scene.terrain, trace, 0)) warnings += path_ground_warnings(*path);
+    if (result.jumps)
+        warnings.push_back(worded(k_flights_warning, {numeral(grouped(result.jumps->volume)),
+                                                      numeral(number_text(result.jumps->highest, 3))}));
     return warnings;
 }
 
@@ -400,15 +337,7 @@ void warn_of_jumps(const RunResult::Jumps& jumps, RunResult& result) {
          true, jumps.from});
 }
 
-std::vector<Sentence> sentences_of(const std::vector<RunWarning>& warnings, WarningsOn on) {
-    std::vector<Sentence> sentences;
-    for (const RunWarning& warning : warnings)
-        if (on == WarningsOn::pages || warning.limits_use) sentences.push_back(warning.words);
-    return sentences;
-}
-
 namespace {
-
 /// Whether a yield stress or cohesion at the bed holds a pile besides friction.
 bool holds_without_friction(const Material& material) {
     const std::vector<std::string> terms = bed_friction_terms(material);
@@ -465,28 +394,24 @@ Sentence ground_sentence(const GroundStatistics& ground) {
                    numeral(number_text(ground.mean_slope_deg, 2)), numeral(number_text(ground.steepest_slope_deg, 2))});
 }
 
-std::vector<Sentence> release_ground_warnings(const GroundStatistics& ground, double friction,
-                                              const Sentence& held_remedy) {
+Warnings release_ground_warnings(const GroundStatistics& ground, double friction) {
+    const auto degrees = [](double angle) { return numeral(number_text(angle, 2)); };
     if (ground.mean_slope_deg > k_steep_release)
-        return {worded("the release is nearly vertical: {1}. {2}", {ground_sentence(ground), k_steep_remedy})};
+        return {worded("the release is nearly vertical, {1} degrees: check terrain.vertical-unit",
+                       {degrees(ground.mean_slope_deg)})};
     if (ground.mean_slope_deg < k_flat_release)
-        return {worded(
-            "the release is nearly flat: {1}. Check that perimeter and DTM belong to the same place (coordinate "
-            "reference systems), that the elevations are in metres (terrain.vertical-unit), and that the DTM has its "
-            "elevations there",
-            {ground_sentence(ground)})};
+        return {worded("the release is nearly flat, {1} degrees: check CRS and terrain.vertical-unit",
+                       {degrees(ground.mean_slope_deg)})};
     const double angle = std::atan(friction) * 180 / std::numbers::pi;
     if (!(friction > 0) || ground.steepest_slope_deg >= angle) return {};
-    return {
-        worded("the release is held by friction: its ground, {1}, is nowhere as steep as the slope of {2} degrees "
-               "that its friction holds, so that at most its edges move. {3}",
-               {ground_sentence(ground), numeral(number_text(angle, 3)), held_remedy})};
+    return {worded("the release is held by friction ({2} degrees, slope {1}): check terrain.vertical-unit",
+                   {degrees(ground.steepest_slope_deg), numeral(number_text(angle, 3))})};
 }
 
-std::vector<Sentence> path_ground_warnings(const GroundStatistics& ground) {
+Warnings path_ground_warnings(const GroundStatistics& ground) {
     if (!(ground.mean_slope_deg > k_steep_path)) return {};
-    return {
-        worded("the path is steeper than those of landslides: {1}. {2}", {ground_sentence(ground), k_steep_remedy})};
+    return {worded("the path is steeper than those of landslides, {1} degrees: check terrain.vertical-unit",
+                   {numeral(number_text(ground.mean_slope_deg, 2))})};
 }
 
 }  // namespace frana

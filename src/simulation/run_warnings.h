@@ -11,7 +11,7 @@
 
 #include "analysis/ground_statistics.h"
 #include "core/raster.h"
-#include "core/words/sentence.h"
+#include "core/words/warning.h"
 #include "params/keys/scene_spec.h"
 #include "simulation/result.h"
 #include "simulation/scene.h"
@@ -19,16 +19,18 @@
 namespace frana {
 
 /// The pattern of a warning of which the least number is the worst.
-inline constexpr const char* k_few_particles_warning = worded(
-    "the run starts with {1} particles only: area and run-out change much with smaller cells; reduce "
-    "terrain.cell-size, and see frana converge");
+inline constexpr const char* k_few_particles_warning =
+    worded("{1} particles only: area and run-out uncertain; reduce terrain.cell-size");
+
+/// That of flights.
+inline constexpr const char* k_flights_warning = worded("{1} m3 flew over edges, {2} m high: maps omit it");
 
 /// Returns what is wrong with a release that no slope has, or that is too small for its cells.
 /// @param scene tells whether a raster gives the thickness
 /// @param bed, release vertical thickness on the grid of the bed [m]
 /// @param particles at the start; 0: it fails later
-std::vector<Sentence> release_warnings(const Scene& scene, const Raster& bed, const Raster& release,
-                                       const std::vector<ReleasedArea>& areas, std::int64_t particles);
+Warnings release_warnings(const Scene& scene, const Raster& bed, const Raster& release,
+                          const std::vector<ReleasedArea>& areas, std::int64_t particles);
 
 /// Where a key was given, for messages; whether it was given.
 using KeyPlace = std::function<std::string(const std::string& key)>;
@@ -36,22 +38,19 @@ using KeyTest = std::function<bool(const std::string& key)>;
 
 /// Returns what is legal and dubious of a structured material with solids, or given and without effect.
 /// @param thickness the greatest of anything released [m]
-std::vector<Sentence> structured_warnings(const StructuredMaterial& material, double thickness, double cell_size,
-                                          const KeyPlace& where, const KeyTest& is_given);
+Warnings structured_warnings(const StructuredMaterial& material, double thickness, double cell_size,
+                             const KeyPlace& where, const KeyTest& is_given);
 
 /// Returns whether maps and values, or outlines and run-out, omit a substantial part of a release.
-std::vector<Sentence> thin_release_warnings(const Raster& release, const Scene& scene);
+Warnings thin_release_warnings(const Raster& release, const Scene& scene);
 
 /// Returns "release area 2 'North': 1 200 m3 from 400 m2, at 30 s".
 Sentence released_sentence(const ReleasedArea& area, std::size_t index);
 
 /// Returns everything that a run itself tells: how it ended, what its maps do not show.
-std::vector<RunWarning> run_warnings(const RunResult& result, const Scene& scene);
+Warnings run_warnings(const RunResult& result, const Scene& scene);
 /// Warns of what a scheme without flight kept on the ground, if it is a substantial part of the flow.
 void warn_of_jumps(const RunResult::Jumps& jumps, RunResult& result);
-enum class WarningsOn { pages, maps };
-/// Returns their sentences; for maps only of those that limit their use.
-std::vector<Sentence> sentences_of(const std::vector<RunWarning>& warnings, WarningsOn on = WarningsOn::pages);
 
 /// A cell of a deposit at rest whose surface stands above those beside it by more than friction carries.
 struct Pile {
@@ -69,19 +68,12 @@ Sentence ground_sentence(const GroundStatistics& ground);
 /// and where no law at the bed resists with it: the structured model's fluid, RAMMS's yield term alone, laws of fluids.
 double sure_friction(const SceneSpec& scene);
 
-/// What to do where a release is held and its elevations are in metres.
-inline constexpr const char* k_held_remedy = worded(
-    "Elevations that are too low for their eastings look like this, as metres that were converted as if they were "
-    "feet: "
-    "check the elevations above against a map, and the friction");
-
 /// Returns what is doubtful of the ground under a release: nearly vertical or flat, as in nature only where elevations
 /// are in another unit than eastings or the layers do not belong together; or nowhere as steep as the slope up to which
 /// friction holds it, as elevations that are too low for their eastings are.
 /// @param friction tangent of that slope; 0: not known
-std::vector<Sentence> release_ground_warnings(const GroundStatistics& ground, double friction,
-                                              const Sentence& held_remedy);
+Warnings release_ground_warnings(const GroundStatistics& ground, double friction);
 /// Returns whether the ground under a path is steeper than those of landslides.
-std::vector<Sentence> path_ground_warnings(const GroundStatistics& ground);
+Warnings path_ground_warnings(const GroundStatistics& ground);
 
 }  // namespace frana

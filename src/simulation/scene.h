@@ -15,6 +15,7 @@
 #include "core/geometry.h"
 #include "core/grid_spec.h"
 #include "core/raster.h"
+#include "core/words/warning.h"
 #include "params/keys/shared_values.h"
 
 namespace frana {
@@ -30,7 +31,6 @@ struct SolidZone {
 struct StructuredMaterial : StructuredValues, SolidValues {
     bool solids = false;       ///< false: the release is fluid, and no parameter of solids is read
     double sin_dilatancy = 0;  ///< sin(psi) [-]
-    double block_size = 0;     ///< d_sc [m]; 0: the local depth
     PoreValues pores;
     std::vector<SolidZone> zones;
     std::optional<Raster> initial_fluid;  ///< depth of free fluid at the start [m]; NaN: none
@@ -63,6 +63,12 @@ struct TimeControl : TimeValues {
     double stop_change = 0;
     double trace_threshold = k_trace_threshold;  ///< depth from which a cell belongs to that area [m]
     double frame_interval = 0;                   ///< [s]; 0: no frames
+};
+
+/// What a raster of thicknesses contains [m3].
+struct FileVolume {
+    double inside = 0;  ///< the perimeter
+    double all = 0;     ///< 0 if it is not known: a raster too large to be read whole
 };
 
 /// One area that fails, in map coordinates of the working CRS.
@@ -132,6 +138,8 @@ struct Scene {
     Numerics numerics;
     TimeControl time;
     Recording recording;
+    std::optional<FileVolume> file_volume;  ///< of the raster that gives the thickness; none: not known
+    Warnings warnings;                      ///< of its keys, files and ground; results pass them on
 };
 
 /// Cell of a local origin; rows counted from the south.

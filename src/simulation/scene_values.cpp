@@ -45,7 +45,6 @@ std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
             set(m.*key.value, value);
     }
     m.sin_dilatancy = std::sin(s.dilatancy_angle * std::numbers::pi / 180);
-    set(m.block_size, s.block_size);
     m.pores = spec.material;
     return m;
 }

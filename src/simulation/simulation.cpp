@@ -96,10 +96,6 @@ const char* describe(StopReason reason) {
             return worded("all material at rest");
         case StopReason::settled:
             return worded("run-out, area and deposit have stopped changing");
-        case StopReason::energy:
-            return worded("kinetic energy below the given fraction of its peak");
-        case StopReason::moving_volume:
-            return worded("moving volume below the given fraction of its peak");
         case StopReason::momentum:
             return worded("momentum below the given fraction of its peak");
         case StopReason::all_left:

@@ -344,8 +344,6 @@ std::optional<StopReason> SteppedRun::reason_to_stop(const StepStatistics& stati
         if (scene_.time.stop_when_still && still_.still(statistics)) return StopReason::still;
         if (settling_.settled(*model_, statistics.kinetic, result_.volume_entered + model_->bed_budget().eroded))
             return StopReason::settled;
-        if (fade_.energy(statistics.kinetic)) return StopReason::energy;
-        if (fade_.moving(statistics.moving)) return StopReason::moving_volume;
         if (scene_.time.stop_momentum > 0 && fade_.momentum(model_->momentum())) return StopReason::momentum;
     }
     if (options_.stop_requested && options_.stop_requested()) return StopReason::requested;
@@ -444,8 +442,8 @@ RunResult SteppedRun::finish() {
     result.volume_left = model_->volume_left();
     if (!arrivals_.done())
         result.notes.emplace_back("the run ended before all release areas had failed or all inflow had entered");
-    const std::vector<RunWarning> of_model = std::exchange(result.warnings, run_warnings(result, scene_));
-    result.warnings.insert(result.warnings.end(), of_model.begin(), of_model.end());
+    const Warnings of_model = std::exchange(result.warnings, run_warnings(result, scene_));
+    (result.warnings += of_model) += scene_.warnings;
     engine_.stop();
     result.engine_seconds = engine_.seconds();
     return std::move(result);

@@ -184,27 +184,24 @@ class StillWatch {
     double crawling_ = 0;
 };
 
-// Determines when a flow's motion has decreased below a scene's limit: kinetic energy, moving volume or momentum below
-// a fraction of its peak. All grow from zero, so none ends a flow that has not begun.
+// Determines when a flow's momentum has decreased below a scene's fraction of its peak. It grows from zero, so that a
+// flow that has not begun is not ended.
 class FadeWatch {
   public:
     explicit FadeWatch(const TimeControl& time) : time_(time) {}
 
-    bool energy(double now) { return under(now, energy_peak_, time_.stop_energy_fraction); }
-    bool moving(double now) { return under(now, moving_peak_, time_.stop_moving_fraction); }
-    bool momentum(double now) { return under(now, momentum_peak_, time_.stop_momentum); }
+    bool momentum(double now) {
+        peak_ = std::max(peak_, now);
+        return now < time_.stop_momentum * peak_;
+    }
     template <class Archive>
     void serialise(Archive& archive) {
-        archive(energy_peak_, moving_peak_, momentum_peak_);
+        archive(peak_);
     }
 
   private:
-    static bool under(double now, double& peak, double fraction) {
-        peak = std::max(peak, now);
-        return now < fraction * peak;
-    }
     const TimeControl& time_;
-    double energy_peak_ = 0, moving_peak_ = 0, momentum_peak_ = 0;
+    double peak_ = 0;
 };
 
 /// Measures wall time; can be stopped and restarted.

@@ -22,11 +22,8 @@ NodeGrid walled(const Ground& ground, const std::optional<Raster>& walls) {
 }
 
 SolidStages stages_for(const StructuredMaterial& material) {
-    SolidStages stages = structured::choose_solid_stages(can_fracture(material), has_fluid(material),
-                                                         material.pores.pore_pressure(material.fluid_density));
-    if (material.earth_pressure == StructuredMaterial::EarthPressure::passive)
-        stages.fields = stages.fields | structured::k_passive_fields;
-    return stages;
+    return structured::choose_solid_stages(can_fracture(material), has_fluid(material),
+                                           material.pores.pore_pressure(material.fluid_density));
 }
 
 double thickest(const ParticleSet& columns) {
@@ -37,20 +34,18 @@ double thickest(const ParticleSet& columns) {
 }
 
 // Converts columns of full thickness to particles of solids with their confined fluid.
-ParticleSet solids_of(const ParticleSet& columns, const StructuredMaterial& material, const Numerics& numerics,
-                      const GridSpec& grid, FieldMask fields) {
+ParticleSet solids_of(const ParticleSet& columns, const StructuredMaterial& material, const GridSpec& grid,
+                      FieldMask fields) {
     const auto of_place = [&](Point local) { return material_at(material, grid, local); };
-    ParticleSet placed = structured::split_phases(columns, of_place, material.dry_depth);
-    if (material.spread_evenly) placed = structured::place_again(placed, grid, numerics.particles_per_cell);
-    return structured::assign_material(placed, fields, of_place);
+    return structured::assign_material(structured::split_phases(columns, of_place, material.dry_depth), fields,
+                                       of_place);
 }
 
 structured::State initial_state(NodeGrid nodes, const structured::Laws& laws, const StructuredMaterial& material,
-                                const Numerics& numerics, const GridSpec& grid, const ParticleSet& released) {
+                                const GridSpec& grid, const ParticleSet& released) {
     if (!material.solids) return {std::move(nodes), laws, ParticleSet(), {}, true};
     const SolidStages stages = stages_for(material);
-    return {std::move(nodes), laws, solids_of(released, material, numerics, grid, stages.fields), stages,
-            has_fluid(material)};
+    return {std::move(nodes), laws, solids_of(released, material, grid, stages.fields), stages, has_fluid(material)};
 }
 
 }  // namespace
@@ -63,7 +58,7 @@ StructuredFlow::StructuredFlow(const Ground& ground, const std::optional<Raster>
       material_(material),
       pool_(threads),
       laws_(structured_laws(material, numerics, grid_, thickest(released))),
-      state_(initial_state(walled(ground, walls), laws_, material, numerics, grid_, released)),
+      state_(initial_state(walled(ground, walls), laws_, material, grid_, released)),
       tiles_(structured::tiles_on(state_.grid)),
       maxima_(state_.grid.bed.size()),
       pressure_(state_.grid.bed.size()) {
@@ -94,7 +89,7 @@ void StructuredFlow::add_fluid(const ParticleSet& particles) {
 void StructuredFlow::add_release(const ParticleSet& columns) {
     if (columns.size() == 0) return;
     if (material_.solids) {
-        const ParticleSet solids = solids_of(columns, material_, numerics_, grid_, state_.stages.fields);
+        const ParticleSet solids = solids_of(columns, material_, grid_, state_.stages.fields);
         structured::add_solids(state_, solids);
         structured::prepare(state_, laws_, pool_);
     }

@@ -10,8 +10,6 @@
 namespace frana {
 namespace {
 
-using structured::VirtualMassLaw;
-
 structured::FluidLaws fluid_laws(const StructuredMaterial& m, const Numerics& numerics) {
     structured::FluidLaws laws;
     laws.gravity = numerics.gravity;
@@ -24,10 +22,6 @@ structured::FluidLaws fluid_laws(const StructuredMaterial& m, const Numerics& nu
     laws.manning_on_total = m.manning_on_total;
     laws.density = m.fluid_density;
     laws.viscosity = m.fluid_viscosity;
-    laws.viscosity_growth = m.viscosity_growth;
-    laws.velocity_shape = m.velocity_shape;
-    laws.mobility = m.mobility;
-    laws.solids_shape = m.solids_shape;
     return laws;
 }
 
@@ -87,30 +81,6 @@ bool anywhere(const StructuredMaterial& m, double SolidValues::*value, const Tes
         return passes;
     }
     return test(m.*value);
-}
-
-VirtualMassLaw law_of(StructuredMaterial::VirtualMass law) {
-    switch (law) {
-        case StructuredMaterial::VirtualMass::none:
-            return VirtualMassLaw::none;
-        case StructuredMaterial::VirtualMass::pudasaini_2019:
-            return VirtualMassLaw::pudasaini_2019;
-        case StructuredMaterial::VirtualMass::pudasaini_2012:
-            break;
-    }
-    return VirtualMassLaw::pudasaini_2012;
-}
-
-structured::EarthPressure law_of(StructuredMaterial::EarthPressure law) {
-    switch (law) {
-        case StructuredMaterial::EarthPressure::active:
-            return structured::EarthPressure::active;
-        case StructuredMaterial::EarthPressure::passive:
-            return structured::EarthPressure::passive;
-        case StructuredMaterial::EarthPressure::hydrostatic:
-            break;
-    }
-    return structured::EarthPressure::hydrostatic;
 }
 
 }  // namespace
@@ -176,31 +146,16 @@ structured::Laws structured_laws(const StructuredMaterial& m, const Numerics& nu
     solid.steep = laws.fluid.steep;
     solid.elastic = elasticity(m);
     solid.sin_dilatancy = m.sin_dilatancy;
-    solid.earth_pressure = law_of(m.earth_pressure);
     solid.basal = {numerics.gravity, has_fluid(m) ? m.fluid_density : 0, m.pore_pressure_fraction};
     solid.pores = m.pores.pore_pressure(m.fluid_density);
     solid.fractures = can_fracture(m);
-    solid.initial_structured = m.initial_structured;
-    solid.strength_of_particle_stress = m.yield_on_own_stress;
-    if (m.broken_is_elastic) solid.broken = structured::BrokenMaterial::elastic;
-    solid.pic_fraction = m.pic_fraction;
     solid.fragmentation.critical_strain = m.critical_strain;
-    solid.fragmentation.measure =
-        m.damage_by_distortion ? structured::DamageMeasure::equivalent : structured::DamageMeasure::volumetric;
     solid.wave_speed = solid.elastic.wave_speed(least_coupled_density(m));
     solid.spacing = grid.cell_size / std::round(std::sqrt(static_cast<double>(numerics.particles_per_cell)));
     solid.side = std::max(solid.side, 1.2 * solid.spacing);
     structured::CouplingLaws& coupling = laws.coupling;
     coupling.drag.fluid.gravity = numerics.gravity;
     coupling.drag.fluid.density = m.fluid_density;
-    coupling.drag.exponent = m.drag_exponent;
-    coupling.drag.richardson_zaki = m.richardson_zaki;
-    if (m.exponent_by_grains) coupling.drag.exponent_of = structured::RichardsonZaki::by_grains;
-    if (m.mixing_by_solids) coupling.drag.mixing = structured::DragMixing::solids_fraction;
-    coupling.drag.mixing_exponent = m.drag_mixing_exponent;
-    coupling.drag.smoothing_velocity = m.smoothing_velocity;
-    coupling.virtual_mass.law = law_of(m.virtual_mass);
-    coupling.block_size = m.block_size;
     coupling.dry = m.dry_depth;
     return laws;
 }

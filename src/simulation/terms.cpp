@@ -29,8 +29,6 @@ void add_bed(const Scene& scene, Terms& terms) {
     for (const std::string& law : bed_friction_terms(m)) {
         if (!acts(law, m, zones)) continue;
         terms.push_back(find_law(LawKind::bed_friction, law).sentence);
-        if (law == BinghamFriction::word)
-            terms.back() += ", " + std::string(m.exact_yield_ratio ? worded("exact") : worded("quadratic"));
         if (law == CoulombFriction::word && m.surface_pressure > 0) terms.emplace_back(worded("surface pressure"));
     }
     for (const ZoneRaster& zone : k_zone_rasters)
@@ -67,25 +65,14 @@ void add_numerics(const Numerics& numerics, Terms& terms) {
 void add_solids(const StructuredMaterial& m, bool fluid, Terms& terms) {
     terms.emplace_back(worded("elasticity and Drucker-Prager plasticity of solids"));
     terms.push_back(find_law(LawKind::bed_friction, CoulombFriction::word).sentence);
-    const std::string lateral = std::string(worded("lateral earth pressure")) + ", ";
-    switch (m.earth_pressure) {
-        case StructuredMaterial::EarthPressure::hydrostatic:
-            terms.push_back(lateral + worded("hydrostatic beyond the strength"));
-            break;
-        case StructuredMaterial::EarthPressure::active:
-            terms.push_back(lateral + worded("active"));
-            break;
-        case StructuredMaterial::EarthPressure::passive:
-            terms.push_back(lateral + worded("active and passive"));
-            break;
-    }
+    terms.push_back(std::string(worded("lateral earth pressure")) + ", " + worded("hydrostatic beyond the strength"));
     if (m.cohesion > 0) terms.emplace_back(worded("cohesion lost with strain"));
     add_pores(m.pores.pore_pressure(m.fluid_density), terms);
     if (!fluid) return;
     if (m.cohesion > 0 && m.confined_fraction > 0) terms.emplace_back(worded("release of confined fluid"));
     terms.emplace_back(worded("buoyancy"));
     terms.emplace_back(worded("drag"));
-    if (m.virtual_mass != StructuredMaterial::VirtualMass::none) terms.emplace_back(worded("virtual mass"));
+    terms.emplace_back(worded("virtual mass"));
 }
 
 Terms structured_terms(const Scene& scene) {
@@ -99,7 +86,7 @@ Terms structured_terms(const Scene& scene) {
     if (m.manning > 0) terms.push_back(find_law(LawKind::bed_friction, ManningFriction::word).sentence);
     if (m.fluid_viscosity > 0) {
         terms.push_back(find_law(LawKind::in_plane_stress, BinghamStress::word).sentence);
-        if (m.velocity_shape > 0) terms.emplace_back(worded("viscous shear at the bed"));
+        terms.emplace_back(worded("viscous shear at the bed"));
     }
     add_finite_volumes(terms);
     return terms;

@@ -56,7 +56,7 @@ Scene eventful_scene() {
     scene.recording.sections = {{"s", {{40, 10}, {40, 50}}}};
     scene.recording.interval = 0.5;
     scene.recording.intensity = true;
-    scene.time.stop_energy_fraction = 0.01;
+    scene.time.stop_momentum = 0.01;
     return scene;
 }
 

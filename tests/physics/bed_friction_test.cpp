@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "physics/friction_bingham_quadratic.h"
+#include "physics/friction_bingham.h"
 #include "physics/friction_chezy.h"
 #include "physics/friction_cohesion.h"
 #include "physics/friction_coulomb.h"
@@ -171,17 +171,6 @@ TEST(HerschelBulkley, WithoutYieldIsNewtonsFilm) {
     EXPECT_NEAR(law.speed(500, k_thickness).value, 500 * k_thickness / (3 * 25), 1e-12);
 }
 
-TEST(BinghamQuadratic, IsThePapersRoot) {
-    const double yield = 300, viscosity = 40;
-    const BinghamQuadraticExcess law{k_density, yield, viscosity};
-    EXPECT_NEAR(law.bound(), yield / 0.9510, 1e-3 * yield);
-    for (const double x : {1.0, 50.0, 900.0}) {
-        const double s = law.speed(x, k_thickness).value;
-        const double zeta = QuadraticYieldRatio{}(6 * viscosity * s / (yield * k_thickness));
-        EXPECT_NEAR(yield / zeta, law.bound() + x, 1e-10 * (law.bound() + x));
-    }
-}
-
 TEST(PouliquenForterre, IncreasesFromSlowToFastFriction) {
     PouliquenForterreExcess law{{0.38}, 0.64};
     law.length = 0.8;
@@ -230,12 +219,11 @@ TEST(BedFriction, SlopesOfSpeedsAreDerivatives) {
         }
     };
     for (const double index : {0.4, 1.0, 1.5}) compare(HerschelBulkleyExcess{k_density, 200, 60, index});
-    compare(BinghamQuadraticExcess{k_density, 300, 40});
 }
 
 template <class Law>
 class AnyExcess : public testing::Test {};
-using Excesses = testing::Types<HerschelBulkleyExcess, BinghamQuadraticExcess, PouliquenForterreExcess>;
+using Excesses = testing::Types<HerschelBulkleyExcess, PouliquenForterreExcess>;
 TYPED_TEST_SUITE(AnyExcess, Excesses);
 
 TYPED_TEST(AnyExcess, StopsAndNeverReversesAndIsFinite) {

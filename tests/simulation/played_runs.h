@@ -66,7 +66,7 @@ inline Scene eventful() {
     scene.recording.sections = {{"s", {{100, 10}, {100, 110}}}};
     scene.recording.interval = 0.7;
     scene.recording.intensity = true;
-    scene.time.stop_energy_fraction = 0.01;
+    scene.time.stop_momentum = 0.01;
     return scene;
 }
 

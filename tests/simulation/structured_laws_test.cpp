@@ -15,12 +15,6 @@ TEST(StructuredLaws, EveryChoiceArrives) {
     StructuredMaterial& m = *scene.structured;
     const auto laws = [&] { return structured_laws(m, scene.numerics, scene.grid); };
     const structured::Laws usual = laws();
-    EXPECT_EQ(usual.coupling.drag.exponent_of, structured::RichardsonZaki::constant);
-    EXPECT_EQ(usual.coupling.drag.mixing, structured::DragMixing::quotient);
-    EXPECT_EQ(usual.coupling.virtual_mass.law, structured::VirtualMassLaw::pudasaini_2012);
-    EXPECT_EQ(usual.solid.earth_pressure, structured::EarthPressure::hydrostatic);
-    EXPECT_EQ(usual.solid.broken, structured::BrokenMaterial::earth_pressure);
-    EXPECT_FALSE(usual.solid.strength_of_particle_stress);
     const double cell = scene.grid.cell_size;
     EXPECT_EQ(structured_laws(m, scene.numerics, scene.grid, 2.4 * cell).solid.damage_length, 0.6 * cell);
     EXPECT_EQ(usual.solid.damage_length, 0.5 * cell);  // however thin
@@ -28,21 +22,8 @@ TEST(StructuredLaws, EveryChoiceArrives) {
     EXPECT_EQ(laws().solid.damage_length, 1.5 * cell);
     EXPECT_GT(laws().solid.side, usual.solid.side);  // it follows the damage length
     m.damage_length.reset();
-    m.exponent_by_grains = m.mixing_by_solids = m.yield_on_own_stress = m.broken_is_elastic = true;
-    m.virtual_mass = StructuredMaterial::VirtualMass::pudasaini_2019;
-    m.earth_pressure = StructuredMaterial::EarthPressure::passive;
-    m.initial_structured = 0.7;
-    m.pic_fraction = 0.05;
     m.modulus_reduction = 4;
     const structured::Laws chosen = laws();
-    EXPECT_EQ(chosen.coupling.drag.exponent_of, structured::RichardsonZaki::by_grains);
-    EXPECT_EQ(chosen.coupling.drag.mixing, structured::DragMixing::solids_fraction);
-    EXPECT_EQ(chosen.coupling.virtual_mass.law, structured::VirtualMassLaw::pudasaini_2019);
-    EXPECT_EQ(chosen.solid.earth_pressure, structured::EarthPressure::passive);
-    EXPECT_EQ(chosen.solid.broken, structured::BrokenMaterial::elastic);
-    EXPECT_TRUE(chosen.solid.strength_of_particle_stress);
-    EXPECT_EQ(chosen.solid.initial_structured, 0.7);
-    EXPECT_EQ(chosen.solid.pic_fraction, 0.05);
     EXPECT_DOUBLE_EQ(chosen.solid.elastic.shear, usual.solid.elastic.shear / 4);
 }
 

@@ -34,7 +34,10 @@ class Key:
 
     def short_title(self) -> str:
         """"Cell size": within its section."""
-        return self.words_of_key[:1].upper() + self.words_of_key[1:]
+        words = self.words_of_key
+        if words == self.name.partition(".")[2]:  # a key without a title of its own
+            words = words.replace("-", " ")
+        return words[:1].upper() + words[1:]
 
     def title(self) -> str:
         """"Release area"; of the many others with the section: "Time: Frame interval"."""

@@ -47,6 +47,7 @@ Prepared prepare_level(const SceneReading& reading, const Prepared& finest, doub
     coarse.scene.terrain.bounds = finest.scene.grid.bounds();
     Prepared level = prepare(coarse, log);
     level.spec = finest.spec;
+    level.scene.warnings = finest.scene.warnings;  // of the scene's own cells
     level.identity = data_identity(finest);
     return level;
 }

@@ -54,7 +54,6 @@ struct CheckedScene {
     const std::vector<SchemeTime>& schemes;
     int threads;
     std::string result;  ///< folder
-    const std::vector<Sentence>& warnings;
 };
 
 Json bounds_json(const Bounds& box) {
@@ -87,7 +86,7 @@ Json check_document(const CheckedScene& checked) {
     const GridSpec& grid = prepared.scene.grid;
     Json json = document_of("check");
     json["scene"] = prepared.spec.file;
-    json["warnings"] = texts_of(checked.warnings);
+    json["warnings"] = texts_of(prepared.scene.warnings);
     json["inputs"] = Json::array();
     for (const UsedFile& file : prepared.files) json["inputs"].push_back(input_json(file));
     json["grid"] = {{"crs", prepared.ground.crs_label},
@@ -329,8 +328,7 @@ int cmd_check(const Arguments& arguments) {
             throw Error(ErrorKind::input, Problem{"is for scenes: a study sets its keys itself", "--set", "", "",
                                                   "Set the key in the study's scene"});
         const auto check = study::is_calibration(file) ? check_calibration : check_study;
-        Json document = check(file, text_option(*values, "out"), threads, !json, session, log);
-        document["warnings"] = texts_of(log.warnings());
+        const Json document = check(file, text_option(*values, "out"), threads, !json, session, log);
         if (json) print_document(document);
         return static_cast<int>(ExitCode::done);
     }
@@ -361,9 +359,7 @@ int cmd_check(const Arguments& arguments) {
         print_run(prepared, expected, trial, schemes, threads, directory);
         std::fflush(stdout);
     }
-    compare_volumes(prepared.release.file_volume, expected.volume, log);
     doubt_ground(reading, prepared, log);
-    if (!prepared.scene.release.empty()) warn_of_scale(make_release(prepared.scene).areas, prepared.spec.release, log);
     warn_of_release(prepared.scene, log);
     if (trial && trial->path) log.warn_all(path_ground_warnings(*trial->path));
     constexpr double k_left = 0.01;  // coarse cells lose a little more at edges
@@ -374,9 +370,8 @@ int cmd_check(const Arguments& arguments) {
                         {numeral(number_text(100 * trial->left, 2))}));
     if (const auto& exposed = prepared.extra.exposure)
         warn_of_unknown_exposure(*exposed, prepared.scene.grid.bounds(), &prepared.scene.terrain, log);
-    if (json)
-        print_document(
-            check_document({prepared, expected, trial, memory, schemes, threads, directory, log.warnings()}));
+    prepared.scene.warnings += log.take_warnings();
+    if (json) print_document(check_document({prepared, expected, trial, memory, schemes, threads, directory}));
     return static_cast<int>(ExitCode::done);
 }
 

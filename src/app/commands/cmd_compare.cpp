@@ -254,7 +254,7 @@ std::vector<std::string> existing(const std::vector<std::string>& files) {
 void add_report(const std::string& folder, bool renewed, RunLog& log, std::vector<std::string>& files) {
     const std::string report = (fs::path(folder) / k_report_file).string();
     if (!renewed)
-        log.warn(worded("report.html was changed, or is of an older frana, and stays without this comparison"));
+        log.warn(worded("report.html was changed and stays without this comparison"));
     else if (fs::exists(report))
         files.push_back(report);
 }
@@ -282,7 +282,7 @@ int compare_probability(const Pair& pair, const std::optional<double>& threshold
     add_report(pair.folder, renew_report(pair.folder, scores, map), log, written);
     if (json) {
         Json document = document_of("compare");
-        document["warnings"] = texts_of(log.warnings());
+        document["warnings"] = texts_of(log.take_warnings());
         document["folder"] = pair.folder;
         document["files"] = written;
         document["comparison"] = Json::parse(probability_json(scores, map, survey));
@@ -333,7 +333,7 @@ int cmd_compare(const Arguments& arguments) {
         document["folder"] = pair.folder;
         document["files"] = files;
         document["comparison"] = Json::parse(comparison_json(comparison, simulated.input));
-        document["warnings"] = texts_of(log.warnings());
+        document["warnings"] = texts_of(log.take_warnings());
         print_document(document);
     } else {
         print_table(comparison_table(comparison, simulated.input, output_width()), files);

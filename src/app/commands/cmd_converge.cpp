@@ -71,7 +71,7 @@ struct Level {
     double wall_seconds = 0, cpu_seconds = 0;  ///< of computing
     RunStatistics statistics;
     Raster depth;
-    std::vector<Sentence> warnings;  ///< as `frana run` would give
+    Warnings warnings;  ///< as `frana run` would give
 };
 
 /// A value on the finest cells, and what all levels say of it.
@@ -123,11 +123,9 @@ Level run_level(const Prepared& prepared, const SceneVariants& variants) {
     level.wall_seconds = result.engine_seconds;
     level.cpu_seconds = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID) - begun;
     level.statistics = run_statistics(result, prepared.spec.output.trace_threshold);
-    RunLog log(true);
-    warn_without_pages(prepared, result, log);
     const Sentence size = numeral(number_text(level.cell_size));
-    for (const Sentence& warning : log.warnings())
-        level.warnings.push_back(worded("on cells of {1} m: {2}", {size, warning}));
+    for (const Warning& warning : without(result.warnings, prepared.scene.warnings))
+        level.warnings.push_back(worded("on cells of {1} m: {2}", {size, warning.words}));
     level.depth = std::move(result.raster("max_depth"));
     return level;
 }
@@ -341,7 +339,7 @@ render::ChartPanel time_panel(const std::vector<SchemeLevels>& schemes, const Wo
 /// errors against time.
 render::Image chart_of(const std::vector<SchemeLevels>& schemes, const Words& words) {
     render::Chart chart{words("Convergence"),
-                        words("distance from the extrapolated value, if there is one; otherwise from the finest"),
+                        words("distance from the extrapolated value, else from the finest"),
                         "",
                         4,
                         {},
@@ -413,7 +411,7 @@ fs::path make_convergence_folder(const std::string& name, bool overwrite, const 
 
 /// Puts the errors into the report of the scene's own result, if that is of exactly this scene and has no estimate of
 /// its own. Returns the report; empty: there is none, or it stays as it is.
-std::string renewed_report(const fs::path& folder, const SceneSpec& spec, double cell_size) {
+std::string renewed_report(const fs::path& folder, const SceneSpec& spec) {
     const std::string result = output_directory(spec);
     const fs::path scene = fs::path(result) / k_scene_file, summary = fs::path(result) / k_summary_file,
                    report = fs::path(result) / k_report_file;
@@ -425,7 +423,7 @@ std::string renewed_report(const fs::path& folder, const SceneSpec& spec, double
     SummaryFacts facts;
     facts.spec = spec;
     const ErrorEstimates errors = error_estimates(facts, result);
-    const auto parts = [&](const Words& words) { return error_parts(errors, cell_size, words); };
+    const auto parts = [&](const Words& words) { return error_parts(errors, words); };
     return renew_page(result, parts) ? report.string() : std::string();
 }
 
@@ -502,8 +500,7 @@ int cmd_converge(const Arguments& arguments) {
 
     RunLog log(quiet);
     for (const SchemeLevels& one : schemes)
-        for (const Level& level : one.levels)
-            for (const Sentence& warning : level.warnings) log.warn(warning);
+        for (const Level& level : one.levels) log.warn_all(level.warnings);
     begin_own(folder.string(), files_of(folder));
     const Words words = words_of(spec);
     write_uncertainty((folder / k_uncertainty).string() + ".tif", levels, spec, words);
@@ -516,7 +513,7 @@ int cmd_converge(const Arguments& arguments) {
     write_text_file((folder / k_study).string(), study_json(schemes, spec));
     is_drawn(k_chart, log, [&] { render::write_png((folder / k_chart).string(), chart_of(schemes, words)); });
     record_files(files_of(folder));
-    const std::string report = renewed_report(folder, spec, finest);
+    const std::string report = renewed_report(folder, spec);
     if (values->count("json") > 0) {
         Json document = document_of("converge");
         document["folder"] = folder.string();

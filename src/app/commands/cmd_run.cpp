@@ -106,10 +106,8 @@ void log_resuming(const CheckpointFile& from, RunLog& log) {
     log.info("resuming from " + number_text(head.time, 6) + " s, step " + std::to_string(head.step) + ": " +
              from.path());
     if (head.build != checkpoint_build()) {
-        log.warn(worded(
-            "the checkpoint is from another build ({1}; this is {2}): the result can differ in rounding from that of "
-            "an uninterrupted run",
-            {head.build, std::string(checkpoint_build())}));
+        log.warn(worded("checkpoint of another build ({1}; this is {2}): rounding can differ",
+                        {head.build, std::string(checkpoint_build())}));
     }
 }
 
@@ -218,10 +216,8 @@ void log_run(const RunResult& result, double end, RunLog& log) {
                  " node-steps; there it had no friction");
     }
     if (result.stop_reason == StopReason::requested) {
-        log.warn(worded(
-            "the run was stopped at {1} s of at most {2} s: the maps are incomplete; the same command with --resume "
-            "continues it",
-            {numeral(number_text(result.simulated_seconds, 4)), numeral(number_text(end, 4))}));
+        log.warn(worded("stopped at {1} s of {2} s: maps incomplete; --resume continues it",
+                        {numeral(number_text(result.simulated_seconds, 4)), numeral(number_text(end, 4))}));
     }
 }
 
@@ -367,14 +363,15 @@ int run_scene(const boost::program_options::variables_map& values, std::string& 
 }
 
 /// What --json says of a run, from the files of its result.
-void print_run_document(const std::string& target, int code, const RunLog& log) {
+void print_run_document(const std::string& target, int code, RunLog& log) {
     Json document = document_of("run");
     document["exit_code"] = code;
     document["result"] = target;
     const auto manifest = read_manifest(target);
     document["finished"] = code == static_cast<int>(ExitCode::done);
-    document["warnings"] = texts_of(log.warnings());
     document["summary"] = read_json_file((std::filesystem::path(target) / k_summary_file).string()).value_or(Json());
+    document["warnings"] = document["summary"].is_object() ? document["summary"]["warnings"] : Json::array();
+    for (const std::string& later : texts_of(log.take_warnings())) document["warnings"].push_back(later);
     document["files"] = Json::array();
     if (manifest)
         for (const auto& [name, mark] : manifest->files) document["files"].push_back(name);

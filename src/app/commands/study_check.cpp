@@ -296,6 +296,8 @@ Json check_study(const std::string& path, const std::optional<std::string>& out,
     warn_of_release(input.base.scene, log);
     study::warn_of_unknown_exposure(input, log);
     Json json = document_of("check");
+    Warnings warnings = input.base.scene.warnings;
+    json["warnings"] = texts_of(warnings += log.take_warnings());
     json["study"] = study.file;
     json["scene"] = study.scene;
     json["members"] = input.members();
@@ -366,8 +368,13 @@ Json check_calibration(const std::string& path, const std::optional<std::string>
         print_calibration(input);
         print_end(cost, threads, directory);
     }
-    for (const study::StudyInput& event : input.own) warn_of_release(event.base.scene, log);
+    Warnings warnings;
+    for (const study::StudyInput& event : input.own) {
+        warn_of_release(event.base.scene, log);
+        warnings += event.base.scene.warnings;
+    }
     Json json = document_of("check");
+    json["warnings"] = texts_of(warnings += log.take_warnings());
     json["study"] = calibration.study.file;
     json["events"] = Json::array();
     for (const study::EventSpec& event : calibration.events)

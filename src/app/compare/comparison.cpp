@@ -84,10 +84,7 @@ PathRunout path_runout(const ComparisonInput& input, const ComparedFlow& flow) {
 void compare_run_outs(const ComparisonInput& input, const Raster& observed, RunLog& log, Comparison& comparison) {
     if (!input.bed || !input.release) return;
     if (!observed.grid.same_cells(input.bed->grid)) {
-        log.warn(
-            worded("the surveyed outline reaches beyond the result's rasters, so its run-out is unknown: no run-out "
-                   "difference. With "
-                   "output.extent = map a run's rasters cover the whole map"));
+        log.warn(worded("survey beyond the rasters: no run-out difference; set output.extent = map"));
         return;
     }
     const ComparedFlow flow = compared_flow(input, observed);
@@ -118,8 +115,7 @@ void compare_fronts_and_tips(const ComparisonInput& input, RunLog& log, Comparis
     if (survey.fronts.empty() && survey.tips.empty()) return;
     const MultiPolygon trace = gis::polygonise(trace_mask(input.depth, input.threshold));
     if (trace.empty()) {
-        log.warn(worded("nothing is deeper than {1} m, so there is no front to compare",
-                        {numeral(number_text(input.threshold))}));
+        log.warn(worded("nothing is deeper than {1} m: no front to compare", {numeral(number_text(input.threshold))}));
         return;
     }
     const LineSet outline(trace);
@@ -146,7 +142,7 @@ void compare_deposits(const ComparisonInput& input, const Bounds& box, RunLog& l
     const Survey& survey = input.survey;
     if (survey.deposit.empty() && !survey.elevation_change) return;
     if (!(survey.deposit.empty() ? input.elevation_change : input.final_depth)) {
-        log.warn(worded("there is no depth at the end to compare with the surveyed deposit"));
+        log.warn(worded("no depth at the end to compare with the deposit"));
         return;
     }
     if (!survey.deposit.empty()) {
@@ -167,8 +163,7 @@ Comparison compare_with_survey(const ComparisonInput& input, RunLog& log) {
     if (!input.survey.scar.empty()) {
         const Raster depth = padded_to(input.depth, bounds(input.survey.scar), k_no_data);
         if (!depth.grid.same_cells(input.depth.grid))
-            log.warn(
-                worded("the surveyed outline reaches beyond the result's rasters; its part outside counts as missed"));
+            log.warn(worded("survey beyond the rasters: its part outside counts as missed"));
         compare_area(input, depth, log, comparison);
     }
     compare_fronts_and_tips(input, log, comparison);

@@ -144,7 +144,7 @@ ProbabilityScores compare_with_survey(const ProbabilityMap& map, const Survey& s
         log.warn(worded("fronts and tips are not compared with a map of probability"));
     const Raster values = padded_to(map.values, bounds(survey.scar), k_no_data);
     if (!values.grid.same_cells(map.values.grid))
-        log.warn(worded("the surveyed outline reaches beyond the map; there its probability counts as 0"));
+        log.warn(worded("the survey reaches beyond the map; there the probability is 0"));
     return score_probability(values, gis::coverage(survey.scar, values.grid));
 }
 
@@ -171,7 +171,7 @@ std::string probability_json(const ProbabilityScores& scores, const ProbabilityM
 
 render::Chart probability_chart(const ProbabilityScores& scores, const ProbabilityMap& map) {
     const Words& words = map.source.style.words;
-    return {page_title(map.source, words("comparison with the survey")),
+    return {page_title(map.source, words("Comparison with the survey")),
             words("{1}, Brier score {2}, skill {3}", {map.name, words.number(number_text(scores.brier, 3)),
                                                       words.number(number_text(scores.brier_skill, 3))}),
             std::string(k_comparison_file),

@@ -316,15 +316,6 @@ double released_area(const Scene& scene) {
     return all;
 }
 
-void warn_of_scale(const std::vector<ReleasedArea>& areas, const ReleaseSpec& spec, RunLog& log) {
-    constexpr double k_most = 1.25;
-    if (spec.volume || !spec.thickness || !spec.thickness->by_raster()) return;
-    for (const ReleasedArea& area : areas)
-        if (area.scaled > k_most || area.scaled < 1 / k_most)
-            log.warn(worded("the thickness was scaled by {1} to its file's volume: look for values that mean no data",
-                            {numeral(number_text(area.scaled, 3))}));
-}
-
 void warn_of_release(const Scene& scene, RunLog& log) {
     if (scene.release.empty()) return;
     const Release release = make_release(scene);
@@ -429,18 +420,6 @@ std::optional<GroundStatistics> ground_of_release(const Scene& scene) {
             gis::visit_cells({polygon}, scene.grid, gis::Cover::centres,
                              [&](std::int64_t row, std::int64_t column) { sum.add(row, column); });
     return sum.statistics();
-}
-
-Sentence remedy_for_held(const UsedUnit& unit) {
-    if (unit.metres >= 1) return k_held_remedy;
-    return worded(unit.is_of_file
-                      ? worded("The elevations were converted from {1}, as the file says: if they are in metres "
-                               "already, set terrain.vertical-unit = metre. Otherwise check the elevations above "
-                               "against a map, and the friction")
-                      : worded("The elevations were converted from {1}: if they are in metres already, set "
-                               "terrain.vertical-unit = metre. Otherwise check the elevations above against a map, "
-                               "and the friction"),
-                  {unit.name});
 }
 
 }  // namespace frana::app

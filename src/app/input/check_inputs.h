@@ -39,10 +39,6 @@ void warn_of_directions(const Scene& scene, RunLog& log);
 /// The ground from which something is released [m2]: a thickness raster may fill a part of its outline only.
 double released_area(const Scene& scene);
 
-/// Warns of a thickness raster whose values on the working grid are far from those of its file: values at its edge that
-/// mean no data, and that the file does not declare, are interpolated.
-void warn_of_scale(const std::vector<ReleasedArea>& areas, const ReleaseSpec& spec, RunLog& log);
-
 /// Warns of exposed features of which the map will say nothing: off the map, without geometry, or where the terrain has
 /// no elevation.
 /// @param map the ground that is computed
@@ -51,16 +47,5 @@ void warn_of_unknown_exposure(const gis::ExposedLayer& layer, const Bounds& map,
 
 /// Statistics of the DTM under the outlines of the release; none if nothing is released.
 std::optional<GroundStatistics> ground_of_release(const Scene& scene);
-
-/// The unit in which elevations were read.
-struct UsedUnit {
-    std::string name;         ///< "foot"
-    double metres = 1;        ///< per unit
-    bool is_of_file = false;  ///< else the user's choice, or assumed
-};
-
-/// Returns what to do where a release is held by friction: elevations that are too low for their eastings look like
-/// this, as metres read as feet.
-Sentence remedy_for_held(const UsedUnit& unit);
 
 }  // namespace frana::app

@@ -176,7 +176,7 @@ void tell_of_unit(const LookedAt& working, const Prepared& prepared, RunLog& log
                     {last_part(file.path), numeral(number_text(median, 2)), numeral(number_text(in_feet, 2))}));
 }
 
-void tell(const GroundDoubts& doubts, const LookedAt& here, Prepared& prepared, bool by_frana, RunLog& log) {
+void tell(const GroundDoubts& doubts, const LookedAt& here, const Prepared& prepared, bool by_frana, RunLog& log) {
     const double working = prepared.scene.grid.cell_size;
     const std::string file = last_part(prepared.ground.file.path);
     if (prepared.ground.file.data_type == "Byte")
@@ -185,16 +185,14 @@ void tell(const GroundDoubts& doubts, const LookedAt& here, Prepared& prepared, 
         const double side = std::min(blocks->columns, blocks->rows);
         // Working cells as large as the blocks are right again.
         if (by_frana || side * here.cell_size > 1.1 * working) {
-            log.warn(worded(
-                blocks->is_blurred ? worded("DTM {3}: steps every {2} cells on {1} % of the path: copied cells, "
-                                            "interpolated. Take the original")
-                : by_frana         ? worded("DTM {3}: {1} % of the path lies in blocks of {2} x {2} equal cells. Set "
-                                                    "terrain.resampling = bilinear or cubic")
-                           : worded("DTM {3}: {1} % of the path lies in blocks of {2} x {2} equal cells. Resample "
-                                    "the original bilinear or cubic, or give it to frana"),
-                {whole_percent(blocks->share), numeral(number_text(side, 2)), file}));
-            prepared.doubts.push_back(
-                worded("{1} % of the path is copied DTM cells: run-out unreliable", {whole_percent(blocks->share)}));
+            log.warn({worded(blocks->is_blurred
+                                 ? worded("DTM {3}: {1} % of the path is copied cells, interpolated: take the original")
+                             : by_frana ? worded("DTM {3}: {1} % of the path is copied cells ({2} x {2}): set "
+                                                 "terrain.resampling = bilinear")
+                                        : worded("DTM {3}: {1} % of the path is copied cells ({2} x {2}): resample "
+                                                 "bilinear"),
+                             {whole_percent(blocks->share), numeral(number_text(side, 2)), file}),
+                      true});
         }
     }
     if (const auto& terraces = doubts.terraces)
@@ -209,11 +207,9 @@ void tell(const GroundDoubts& doubts, const LookedAt& here, Prepared& prepared, 
                     here.at(seam->place), file}));
     if (const auto& pits = doubts.pits) {
         log.warn(
-            worded("DTM {4}: {1} cells of {2} m are pits in the path, first at {3}. If they mean no data, set "
-                   "terrain.nodata-value",
-                   {numeral(grouped(pits->cells)), numeral(number_text(pits->value, 6)), here.at(pits->place), file}));
-        prepared.doubts.push_back(worded("{1} pits of {2} m in the DTM's path: run-out unreliable",
-                                         {numeral(grouped(pits->cells)), numeral(number_text(pits->value, 6))}));
+            {worded("DTM {4}: {1} cells of {2} m are pits in the path, first at {3}: set terrain.nodata-value",
+                    {numeral(grouped(pits->cells)), numeral(number_text(pits->value, 6)), here.at(pits->place), file}),
+             true});
     }
     if (const auto& dam = doubts.dam)
         log.warn(worded("DTM {3}: a dam of {1} m across the path, at {2}: open bridges and culverts",
@@ -245,6 +241,7 @@ void doubt_ground(const SceneReading& reading, Prepared& prepared, RunLog& log) 
     const LookedAt& here = own ? *own : working;
     tell_of_unit(working, prepared, log);
     tell(ground_doubts(here.ground(), here.path, here.cell_size), here, prepared, by_frana, log);
+    prepared.scene.warnings += log.take_warnings();
 }
 
 }  // namespace frana::app

@@ -185,9 +185,6 @@ namespace {
 // For the area of one CRS in another: long enough for the digits of the operation, short beside its curvature [m].
 constexpr double k_side = 100;
 
-constexpr double k_worth_a_warning = 0.01;  // of the volume; smaller than the accuracy of any thickness
-constexpr double k_of_this_mass = 0.5;      // inside the perimeter; less: a raster of all ground
-
 /// A raster's own cells as seen from the working CRS. Between different CRSs lengths are in cells of the raster, which
 /// may have sides in degrees.
 class OwnCells {
@@ -286,23 +283,6 @@ void match_file_volume(ReleaseInput& release, const GridSpec& working_grid, cons
     if (grid->cell_count() <= CellValues::k_most_dense) found.all = volume_of_all(own, working_grid, first.outline);
     used.checksum.add(own);
     release.file_volume = found;
-}
-
-void compare_volumes(const std::optional<FileVolume>& in_file, double released, RunLog& log) {
-    if (!in_file || !(in_file->inside > 0)) return;
-    const double difference = released / in_file->inside - 1, part = in_file->inside / in_file->all;
-    if (part > k_of_this_mass && part < 1 - k_worth_a_warning)
-        log.warn(worded(
-            "the thickness raster contains {1} m3, of which the perimeter has {2} m3: {3} % lie beyond it and are "
-            "not released. Draw the perimeter around all of the raster's mass, or leave release.perimeter out",
-            {numeral(grouped(in_file->all)), numeral(grouped(in_file->inside)),
-             numeral(number_text(100 * (1 - part), 2))}));
-    const Sentence both = worded("the thickness raster contains {1} m3 inside the perimeter; the release has {2} m3",
-                                 {numeral(grouped(in_file->inside)), numeral(grouped(released))});
-    if (std::abs(difference) > k_worth_a_warning)
-        log.warn(worded("{1} ({2} %)", {both, numeral(number_text(100 * difference, 2))}));
-    else
-        log.note(both.text());
 }
 
 }  // namespace frana::app

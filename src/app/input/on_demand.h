@@ -53,11 +53,6 @@ Raster raster_values_on_demand(const GridSpec& grid, const std::shared_ptr<const
 /// added to its checksum.
 void match_file_volume(ReleaseInput& release, const GridSpec& working_grid, const Session& session, UsedFile& used);
 
-/// The released volume must equal that of the file inside the perimeter; logs both, as a warning if they differ by a
-/// percent. Warns as well if the perimeter cuts more than that off a raster that is mostly inside: a raster of this
-/// mass, not of the thickness of all ground. `in_file`: release.file_volume; none: nothing to compare.
-void compare_volumes(const std::optional<FileVolume>& in_file, double released, RunLog& log);
-
 /// Thickness on a large working grid, of which nothing is read until a cell is asked for. `files` are those of the key,
 /// in its order; `ground` is read for a thickness below the DTM.
 Raster thickness_on_demand(const ThicknessKind& kind, const GridSpec& grid,

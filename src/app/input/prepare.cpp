@@ -123,12 +123,6 @@ std::optional<Raster> prepare_obstacles(const SceneReading& reading, TerrainInpu
     return walls;
 }
 
-UsedUnit used_unit(const SceneSpec& scene, const gis::RasterInfo& dtm) {
-    const std::string& chosen = scene.terrain.vertical_unit;
-    if (chosen != "auto") return {chosen, gis::vertical_unit_named(chosen).metres, false};
-    return {dtm.vertical_unit, dtm.vertical_scale_to_metres, dtm.vertical_unit_stated};
-}
-
 std::optional<gis::PolygonLayer> read_scar(const SceneReading& reading, const TerrainInput* ground,
                                            std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
     if (!reading.scene.observed.perimeter) return std::nullopt;
@@ -244,8 +238,7 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     if (release.ground) {
         // What is thrown moves wherever it lands.
         const double friction = reading.scene.release.velocity ? 0 : sure_friction(reading.scene);
-        log.warn_all(release_ground_warnings(*release.ground, friction,
-                                             remedy_for_held(used_unit(reading.scene, ground->file))));
+        log.warn_all(release_ground_warnings(*release.ground, friction));
     }
     const GridSpec& grid = prepared.scene.grid;
     if (!grid.crs_wkt.empty()) {
@@ -261,6 +254,8 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     prepared.scene.recording.gauges = std::exchange(extra.gauges, {});
     prepared.scene.recording.sections = std::exchange(extra.sections, {});
     prepared.extra = std::move(extra);
+    prepared.scene.file_volume = prepared.release.file_volume;
+    prepared.scene.warnings = log.take_warnings();
     return prepared;
 }
 

@@ -34,7 +34,6 @@ struct Prepared {
     /// Folder of the result, absolute, from which its scene.ini names the inputs; empty: by absolute paths.
     std::string result_folder{};
     std::map<std::string, std::string> tags{};  ///< more metadata of its rasters, as those of a study have
-    std::vector<Sentence> doubts{};             ///< of its ground, that stand on every map
 };
 
 /// Reads a scene's files. Throws Error(input) with every problem found in keys and files.

@@ -13,12 +13,6 @@
 
 namespace frana::app {
 
-/// What a raster of thicknesses contains [m3].
-struct FileVolume {
-    double inside = 0;  ///< the perimeter
-    double all = 0;     ///< 0 if it is not known: a raster too large to be read whole
-};
-
 /// The release and its sources.
 struct ReleaseInput {
     std::vector<ReleaseArea> areas;

@@ -217,7 +217,7 @@ NamedChart scores_chart(const Columns& table, const ResultReader& result, const 
         panel->mark_x = result.scene_number("observed.threshold", result.scene_number("output.trace-threshold", 0.1));
     }
     scores.fraction = 1.6;
-    render::Chart chart = chart_sheet(source, words("scores over the depth threshold"),
+    render::Chart chart = chart_sheet(source, words("Scores over the depth threshold"),
                                       words("dashed: the threshold of the comparison"), k_comparison_curve);
     chart.panels = {scores, areas};
     return {"scores", chart};

@@ -33,10 +33,7 @@ std::optional<Sentence> letter_warning() {
     const Sentence all = letters.size() > k_named
                              ? worded("{1} and {2} more", {named, std::to_string(letters.size() - k_named)})
                              : Sentence(named);
-    return worded(
-        "no installed font has the letters {1}: pictures show boxes in their place. Install a font that has them, for "
-        "example Debian's fonts-noto-core or fonts-noto-cjk, and draw again with frana render",
-        {all});
+    return worded("no installed font has the letters {1}: install fonts-noto-core or fonts-noto-cjk", {all});
 }
 
 namespace {

@@ -57,7 +57,7 @@ struct MapSource {
     std::string title;               ///< the scene's name
     std::string subtitle;            ///< model, scheme, simulated time
     std::string scenario;            ///< in its place on maps and views; empty: the subtitle
-    std::vector<Sentence> warnings;  ///< of the run: maps are passed on without the log
+    Warnings warnings;               ///< that limit its use: maps are passed on without the report
     std::string terrain_source;      ///< of the elevations; empty: unknown
     std::vector<std::string> notes;  ///< values beside the map
     std::string crs_label;

@@ -154,28 +154,35 @@ struct SentenceReader {
 
 }  // namespace
 
-Json json_of(const std::vector<Sentence>& warnings) {
+Json json_of(const Warnings& warnings) {
     Json all = Json::array();
-    for (Sentence warning : warnings) {
+    for (Warning warning : warnings) {
         SentenceWriter writer;
-        warning.serialise(writer);
-        all.push_back(std::move(writer.json));
+        warning.words.serialise(writer);
+        Json& one = all.emplace_back(Json{{"words", std::move(writer.json)}, {"limits_use", warning.limits_use}});
+        if (warning.place) one["place"] = {warning.place->x, warning.place->y};
     }
     return all;
 }
 
-std::vector<Sentence> warnings_in(const Json& summary) {
-    std::vector<Sentence> warnings;
-    if (const auto list = summary.find("warning_words"); list != summary.end() && list->is_array())
-        for (const Json& one : *list) SentenceReader{one}.read(warnings.emplace_back());
+Warnings warnings_in(const Json& summary) {
+    Warnings warnings;
+    const auto list = summary.find("warning_values");
+    for (const Json& one : list != summary.end() && list->is_array() ? *list : Json::array()) {
+        Warning& warning = warnings.emplace_back();
+        SentenceReader{one.is_object() ? one.value("words", Json()) : Json()}.read(warning.words);
+        warning.limits_use = value_in<bool>(one, "/limits_use").value_or(false);
+        const auto east = value_in<double>(one, "/place/0"), north = value_in<double>(one, "/place/1");
+        if (east && north) warning.place = Point{*east, *north};
+    }
     return warnings;
 }
 
-std::string warning_line(const std::vector<Sentence>& warnings, const Words& words, std::size_t longest) {
+std::string warning_line(const Warnings& warnings, const Words& words, std::size_t longest) {
     constexpr std::size_t k_least = 100;  // letters of a sentence that still says something
     if (warnings.empty()) return "";
     if (longest < k_least) return words("Warning:") + " " + k_summary_file;
-    std::string first = valid_utf8(warnings.front().in(words));
+    std::string first = valid_utf8(warnings.front().words.in(words));
     if (const std::string begin = elided(first, longest); begin != first)  // at a space
         first = begin.substr(0, begin.rfind(' ')) + " \u2026";
     if (warnings.size() == 1) return words("Warning:") + " " + first;
@@ -197,8 +204,7 @@ RunEnd run_end(const std::string& reason, double seconds, double fastest, double
 }
 
 Sentence creeping_sentence(const RunEnd& end) {
-    return worded("Run-out and area have stopped changing; the deposit still creeps at up to {1} m/s.",
-                  {numeral(number_text(end.fastest, 2))});
+    return worded("Run-out and area are final; the deposit creeps at {1} m/s.", {numeral(number_text(end.fastest, 2))});
 }
 
 std::string end_sentence(const RunEnd& end, const Words& words) {

@@ -11,7 +11,7 @@
 #include "analysis/runout.h"
 #include "core/geometry.h"
 #include "core/json.h"
-#include "core/words/sentence.h"
+#include "core/words/warning.h"
 #include "core/words/words.h"
 #include "simulation/result.h"
 
@@ -43,14 +43,14 @@ Sentence headline(const Troubles& troubles);
 Json json_of(const Troubles& troubles);
 std::optional<Troubles> troubles_in(const Json& summary);
 
-/// Warnings as `warning_words` of summary.json, from which a page in any language is made, and back; none: an older
+/// Warnings as `warning_values` of summary.json, from which a page in any language is made, and back; none: an older
 /// summary.
-Json json_of(const std::vector<Sentence>& warnings);
+Json json_of(const Warnings& warnings);
 /// Those that stand on maps.
-std::vector<Sentence> warnings_in(const Json& summary);
+Warnings warnings_in(const Json& summary);
 /// "3 warnings, the first: the flow still moves ...", for the caption of a page; empty without any.
 /// @param longest letters of the first: the sentences of most runs are whole; with few "Warning: summary.json" alone
-std::string warning_line(const std::vector<Sentence>& warnings, const Words& words, std::size_t longest = 480);
+std::string warning_line(const Warnings& warnings, const Words& words, std::size_t longest = 480);
 
 /// How a run ended. Maps, films, charts and the report say it in the same words.
 struct RunEnd {

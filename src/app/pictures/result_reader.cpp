@@ -487,7 +487,7 @@ MapSource ResultReader::map_source(const std::optional<MainStatistics>& statisti
                            words_);
         // A summary that is not written yet, or that of an earlier part of the run, does not know them.
         if (!statistics && has(k_summary_file))
-            source.warnings = warnings_in(read_json_file(path(k_summary_file)).value_or(Json::object()));
+            source.warnings = limits_of_use(warnings_in(read_json_file(path(k_summary_file)).value_or(Json::object())));
     }
     source.extent = std::move(max_depth);
     include(source.extent, release);

@@ -44,7 +44,7 @@ void ResultReader::add_study(MapSource& source) const {
     source.extent = raster_on(source.terrain.grid.columns > 0 ? source.terrain.grid : grid(), k_hit_count);
     const std::optional<Json> summary = has(k_summary_file) ? read_json_file(path(k_summary_file)) : std::nullopt;
     if (summary) {
-        source.warnings = warnings_in(*summary);
+        source.warnings = limits_of_use(warnings_in(*summary));
         const auto finished = value_in<std::int64_t>(*summary, "/finished"),
                    failed = value_in<std::int64_t>(*summary, "/failed");
         const auto error = value_in<double>(*summary, "/largest_standard_error");

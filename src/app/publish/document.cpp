@@ -56,19 +56,19 @@ Document& Document::paragraph(const std::string& lead, const std::string& text) 
     return add(Paragraph{{{kept_together(text)}}, lead});
 }
 
-Document& Document::warnings(const std::vector<Sentence>& all, const Words& words) {
+Document& Document::warnings(const Warnings& all, const Words& words) {
     heading("warnings", words("Warnings"));
     if (all.empty()) add(no_warnings(words, "good"));
-    for (const Sentence& warning : all) add(Paragraph{{{valid_utf8(warning.in(words))}}, "", "warning"});
+    for (const Warning& warning : all) add(Paragraph{{{valid_utf8(warning.words.in(words))}}, "", "warning"});
     return *this;
 }
 
-Document& Document::first_warnings(const std::vector<Sentence>& all, const Words& words) {
+Document& Document::first_warnings(const Warnings& all, const Words& words) {
     if (all.empty()) return add(no_warnings(words, ""));
     // Half a warning may say the opposite.
     std::size_t told = 0, letters = 0;
     for (; told < all.size(); ++told) {
-        const std::string text = valid_utf8(all[told].in(words));
+        const std::string text = valid_utf8(all[told].words.in(words));
         letters += text.size();
         if (told > 0 && letters > k_warning_letters) break;
         add(Paragraph{{{text}}, words("Warning:"), "warning"});

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/pictures/charts.h"
-#include "core/words/sentence.h"
+#include "core/words/warning.h"
 #include "core/words/words.h"
 
 namespace frana::app {
@@ -107,7 +107,7 @@ class Document {
     Document& heading(const std::string& id, const std::string& text) { return add(Heading{text, id}); }
     Document& subheading(const std::string& text) { return add(Heading{text}); }
     Document& paragraph(const std::string& text) { return add(Paragraph{{{text}}}); }
-    /// With some words in bold letters before it: "What fails."
+    /// With some words in bold letters before it: "Limitations."
     Document& paragraph(const std::string& lead, const std::string& text);
     Document& small(const std::string& text) { return add(Paragraph{{{text}}, "", "small"}); }
     Document& part(const std::string& name, Document content) { return group("part", name, std::move(content)); }
@@ -119,10 +119,10 @@ class Document {
     }
     Document& folded(const std::string& title, Document content) { return group("folded", title, std::move(content)); }
     /// A section with warnings.
-    Document& warnings(const std::vector<Sentence>& all, const Words& words);
+    Document& warnings(const Warnings& all, const Words& words);
     /// The first warnings of an answer, as many whole sentences as leave room for it, and how many there are; or the
     /// sentence that there are none.
-    Document& first_warnings(const std::vector<Sentence>& all, const Words& words);
+    Document& first_warnings(const Warnings& all, const Words& words);
     /// Maps, PNG files, under the titles of their rasters; what was drawn for the page of a result's folder instead.
     Document& maps(const std::vector<std::string>& paths, const std::string& folder, const Words& words);
     /// A section with those charts that a result's folder has; nothing if it has none.

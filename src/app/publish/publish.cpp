@@ -137,12 +137,6 @@ ComparisonInput comparison_input(const Finished& run) {
     return input;
 }
 
-double released_volume(const RunResult& result) {
-    double sum = 0;
-    for (const ReleasedArea& area : result.released) sum += area.volume;
-    return sum;
-}
-
 /// Run-out, drop and angle of reach are those of one flow.
 void note_flows(const std::vector<Runout>& run_outs, RunLog& log) {
     if (run_outs.size() < 2) return;
@@ -151,14 +145,24 @@ void note_flows(const std::vector<Runout>& run_outs, RunLog& log) {
              " m; maps and tables show the longest, summary.json lists all");
 }
 
-/// What was asked of the values and what is claimed of them.
-void log_accuracy(const AccuracyRecord& record, RunLog& log) {
-    const std::vector<ValueEstimate> estimates = value_estimates(record);
+/// Notes what a run did, and what was asked of its values and is claimed of them.
+void log_result(const Finished& run, RunLog& log) {
+    const RunResult& result = run.result;
+    for (std::size_t i = 0; i < result.released.size(); ++i)
+        if (result.released[i].failed) log.note(released_sentence(result.released[i], i).text());
+    if (const auto& file = run.prepared.scene.file_volume)
+        log.note("the thickness raster contains " + grouped(file->inside) + " m3 inside the perimeter");
+    if (result.volume_inflow > 0) log.note("inflow through lines: " + grouped(result.volume_inflow) + " m3");
+    for (const std::string& note : result.notes) log.note("engine: " + note);
+    if (const RunEnd end = run_end(result); end.creeps) log.info(creeping_sentence(end).text());
+    log.tell(without(result.warnings, run.prepared.scene.warnings));  // which were told before the run
+    if (run.accuracy == nullptr) return;
+    const std::vector<ValueEstimate> estimates = value_estimates(*run.accuracy);
     if (!estimates.empty()) log.info("estimated errors:\n" + estimate_lines(estimates));
     if (is_reached(estimates)) {
-        log.info(accuracy_verdict(record));
+        log.info(accuracy_verdict(*run.accuracy));
     } else {
-        log.warn(accuracy_verdict(record));
+        log.warn(accuracy_verdict(*run.accuracy));
     }
 }
 
@@ -194,105 +198,123 @@ std::optional<Comparison> publish_comparison(const Finished& run, const ResultDi
     });
 }
 
-/// Writes a result on the cells that its rasters have.
-PictureOutcome publish_rest(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log) {
-    const Stopwatch output_watch;
-    const Prepared& prepared = run.prepared;
-    const RunResult& result = run.result;
-    warn_of_result(prepared, result, log);
-    if (run.accuracy != nullptr) log_accuracy(*run.accuracy, log);
+/// What is written of a result, and what its writing finds.
+struct Publication {
+    const Finished& run;
+    const ResultDirectory& directory;
+    const FrameWriter& frames;
+    RunLog& log;
+    SummaryFacts facts;
+    SeparateFlows flows;
+    std::optional<Comparison> comparison{};
+    PictureOutcome pictures{};
+    Stopwatch watch{};
 
+    [[nodiscard]] const Prepared& prepared() const { return run.prepared; }
+    [[nodiscard]] const RunResult& result() const { return run.result; }
+};
+
+/// The values of the result that more than one file has.
+SummaryFacts facts_of(const Finished& run) {
+    const Prepared& prepared = run.prepared;
     const double threshold = prepared.spec.output.trace_threshold;
+    const TraceFigures trace = trace_figures(run.result, prepared.scene.terrain, threshold);
     SummaryFacts facts;
     facts.spec = prepared.spec;
     facts.computed = prepared.scene.grid;
     facts.crs_label = prepared.ground.crs_label;
     facts.threads = run.threads;
     facts.date = today();
-    const SeparateFlows flows = separate_flows(result);
-    const TraceFigures trace = trace_figures(result, prepared.scene.terrain, threshold);
-    facts.statistics = {threshold, trace.covered_area_m2, trace.run_outs, run_end(result)};
-    facts.statistics.end->is_held = gap_contact(result, prepared.scene).cells > 0;
-    note_flows(facts.statistics.run_outs, log);
+    facts.statistics = {threshold, trace.covered_area_m2, trace.run_outs, run_end(run.result)};
+    facts.statistics.end->is_held = gap_contact(run.result, prepared.scene).cells > 0;
     facts.high = trace.high;
     facts.release_ground = prepared.release.ground;
     facts.path_ground = trace.path_ground;
-    if (facts.path_ground) log.warn_all(path_ground_warnings(*facts.path_ground));
-
-    publish_rasters(prepared, result, directory);
-    publish_outlines(prepared, result, flows, facts.statistics.run_out(), directory);
-    publish_series(prepared, result, directory);
-    publish_profiles(prepared, result, facts.statistics.run_out(), directory);
     facts.scheme = hazard_scheme_of(prepared.spec);
-    facts.hazard = publish_hazard(prepared, result, directory);
     facts.friction = prepared.friction;
     if (facts.friction)
-        facts.friction_areas = friction_areas(*facts.friction, trace_mask(result.raster("max_depth"), threshold));
-    facts.exposure = publish_exposure(prepared, result, directory);
-    if (facts.exposure) log.info(exposure_sentence(*facts.exposure, ReachedBy::the_flow));
-    write_text_file(directory.path(k_series_file), timeseries_csv(result.series));
-    const std::optional<Comparison> comparison = publish_comparison(run, directory, log);
-    if (frames.count() > 0) publish_frame_styles(directory.folder());
-    facts.wall.output = output_watch.seconds() + frames.seconds();
-
-    const Stopwatch render_watch;
-    facts.map_warnings = prepared.doubts;
-    for (Sentence& warning : sentences_of(result.warnings, WarningsOn::maps))
-        facts.map_warnings.push_back(std::move(warning));
-    const PictureOutcome pictures = draw_pictures(
-        {prepared.spec, directory.path(""), comparison, false, facts.statistics, facts.date, facts.map_warnings}, log);
-    facts.wall.render = render_watch.seconds();
-
+        facts.friction_areas = friction_areas(*facts.friction, trace_mask(run.result.raster("max_depth"), threshold));
     facts.wall.input = run.input_seconds;
-    facts.wall.engine = result.engine_seconds;
-    facts.wall.total = run.earlier_seconds + run.since_start.seconds();
-    facts.peak_memory_bytes = peak_memory_bytes();
-    facts.warnings = log.warnings();
+    facts.wall.engine = run.result.engine_seconds;
     facts.data_identity = data_identity(prepared);
     if (run.accuracy != nullptr) facts.accuracy = *run.accuracy;
-    if (prepared.spec.output.report) {
-        const Words words = words_of(prepared.spec);
-        write_report(
-            {prepared, result, facts, comparison, facts.hazard, error_estimates(facts, directory.target()), words},
-            directory);
-    }
-    write_text_file(directory.path(k_summary_file), summary_json(result, facts));
-    log.note("wrote summary.json");
-    // Its sheets show what the summary says.
-    publish_project(directory.folder(), prepared.spec.output.title.value_or(scene_name(prepared.spec)));
-    write_text_file(directory.path(k_log_file), log.text());
-    return pictures;
+    return facts;
+}
+
+void write_pictures(Publication& p) {
+    p.facts.wall.output = p.watch.seconds() + p.frames.seconds();
+    p.pictures = draw_pictures({p.prepared().spec, p.directory.path(""), p.comparison, false, p.facts.statistics,
+                                p.facts.date, limits_of_use(p.result().warnings)},
+                               p.log);
+    p.facts.wall.render = p.watch.seconds() + p.frames.seconds() - p.facts.wall.output;
+}
+
+/// What drawing found is in the report and the summary.
+void write_rest_of_report(Publication& p) {
+    p.facts.wall.total = p.run.earlier_seconds + p.run.since_start.seconds();
+    p.facts.peak_memory_bytes = peak_memory_bytes();
+    (p.facts.warnings = p.result().warnings) += p.log.take_warnings();
+    if (p.prepared().spec.output.report)
+        write_report({p.prepared(), p.result(), p.facts, p.comparison, p.facts.hazard,
+                      error_estimates(p.facts, p.directory.target()), words_of(p.prepared().spec)},
+                     p.directory);
+}
+
+/// The files of a result in the order in which they are written: none needs one after it, the summary describes all.
+constexpr std::pair<const char*, void (*)(Publication&)> k_writers[] = {
+    {"rasters", [](Publication& p) { publish_rasters(p.prepared(), p.result(), p.directory); }},
+    {"outlines",
+     [](Publication& p) {
+         publish_outlines(p.prepared(), p.result(), p.flows, p.facts.statistics.run_out(), p.directory);
+     }},
+    {"gauges and sections", [](Publication& p) { publish_series(p.prepared(), p.result(), p.directory); }},
+    {"profiles",
+     [](Publication& p) { publish_profiles(p.prepared(), p.result(), p.facts.statistics.run_out(), p.directory); }},
+    {"hazard", [](Publication& p) { p.facts.hazard = publish_hazard(p.prepared(), p.result(), p.directory); }},
+    {"exposure",
+     [](Publication& p) {
+         p.facts.exposure = publish_exposure(p.prepared(), p.result(), p.directory);
+         if (p.facts.exposure) p.log.info(exposure_sentence(*p.facts.exposure, ReachedBy::the_flow));
+     }},
+    {"time series",
+     [](Publication& p) { write_text_file(p.directory.path(k_series_file), timeseries_csv(p.result().series)); }},
+    {"comparison", [](Publication& p) { p.comparison = publish_comparison(p.run, p.directory, p.log); }},
+    {"styles of frames",
+     [](Publication& p) {
+         if (p.frames.count() > 0) publish_frame_styles(p.directory.folder());
+     }},
+    {"maps and animation", write_pictures},
+    {"report", write_rest_of_report},
+    {"summary",
+     [](Publication& p) {
+         write_text_file(p.directory.path(k_summary_file), summary_json(p.result(), p.facts));
+         p.log.note("wrote summary.json");
+     }},
+    {"QGIS project",  // whose sheets show what the summary says
+     [](Publication& p) {
+         const SceneSpec& spec = p.prepared().spec;
+         publish_project(p.directory.folder(), spec.output.title.value_or(scene_name(spec)));
+     }},
+    {"log", [](Publication& p) { write_text_file(p.directory.path(k_log_file), p.log.text()); }}};
+
+/// Writes a result on the cells that its rasters have.
+PictureOutcome publish_all(const Finished& run, const ResultDirectory& directory, const FrameWriter& frames,
+                           RunLog& log) {
+    log_result(run, log);
+    Publication all{run, directory, frames, log, facts_of(run), separate_flows(run.result)};
+    note_flows(all.facts.statistics.run_outs, log);
+    for (const auto& [what, write] : k_writers) write(all);
+    return all.pictures;
 }
 
 }  // namespace
-
-void warn_of_result(const Prepared& prepared, const RunResult& result, RunLog& log) {
-    compare_volumes(prepared.release.file_volume, released_volume(result), log);
-    warn_of_scale(result.released, prepared.spec.release, log);
-    for (std::size_t i = 0; i < result.released.size(); ++i)
-        if (result.released[i].failed) log.note(released_sentence(result.released[i], i).text());
-    if (result.volume_inflow > 0) log.note("inflow through lines: " + grouped(result.volume_inflow) + " m3");
-    for (const std::string& note : result.notes) log.note("engine: " + note);
-    if (const RunEnd end = run_end(result); end.creeps) log.info(creeping_sentence(end).text());
-    // A page may have room for the first sentence only.
-    log.warn_first(sentences_of(result.warnings));
-}
-
-void warn_without_pages(const Prepared& prepared, const RunResult& result, RunLog& log) {
-    warn_of_result(prepared, result, log);
-    const auto path = trace_figures(result, prepared.scene.terrain, prepared.spec.output.trace_threshold).path_ground;
-    if (path) log.warn_all(path_ground_warnings(*path));
-    if (result.jumps)
-        log.warn(worded(k_flights_warning,
-                        {numeral(grouped(result.jumps->volume)), numeral(number_text(result.jumps->highest, 3))}));
-}
 
 PictureOutcome publish(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log) {
     if (frames.count() > 0) frames.finish();
     const std::optional<CellWindow> window = reached_window(run.prepared, run.result);
     if (!window) {
         if (run.prepared.ground.on_demand) publish_dtm(run.prepared, directory);  // more has been read since the start
-        return publish_rest(run, directory, frames, log);
+        return publish_all(run, directory, frames, log);
     }
     log.note("rasters cover the " + grouped(window->columns) + " x " + grouped(window->rows) +
              " cells round what was reached; output.extent = map gives the whole map");
@@ -300,7 +322,7 @@ PictureOutcome publish(const Finished& run, const ResultDirectory& directory, Fr
     const RunResult result = cut_to(run.result, *window);
     publish_dtm(prepared, directory);
     if (frames.count() > 0) frames.cut_to(*window);
-    return publish_rest(
+    return publish_all(
         {prepared, result, run.threads, run.input_seconds, run.earlier_seconds, run.since_start, run.accuracy},
         directory, frames, log);
 }

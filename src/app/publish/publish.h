@@ -21,15 +21,6 @@ struct Finished {
     const AccuracyRecord* accuracy = nullptr;  ///< of a run that came to its end under numerics.accuracy
 };
 
-/// Warns of everything in a result that a reader of its maps must know: what one run tells, and each member of a study.
-void warn_of_result(const Prepared& prepared, const RunResult& result, RunLog& log);
-
-/// The same, and what a run of its own tells on its pages alone: steep ground under its path, flights.
-void warn_without_pages(const Prepared& prepared, const RunResult& result, RunLog& log);
-inline constexpr const char* k_flights_warning = worded(
-    "{1} m3 flew over edges, up to {2} m above the ground: maps of depth, velocity and pressure show nothing "
-    "where everything passes overhead");
-
 /// Writes the files of a result: rasters with styles, outlines, maps, animation, comparison, series, summary, scene,
 /// log; the summary and the log last, as they describe all the others. A map or animation that cannot be drawn does not
 /// fail the run: it is a warning, and the return value reports it. Throws Error(environment) if a file cannot be

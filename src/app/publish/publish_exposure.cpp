@@ -114,7 +114,7 @@ std::string exposure_sentence(const ExposureTotals& totals, ReachedBy by, const 
     if (totals.has_count)
         text += " " + words("By their count: {1} of {2}.", {words.number(number_text(totals.count_reached, 6)),
                                                             words.number(number_text(totals.count, 6))});
-    if (totals.is_least) text += " " + words("More may be reached: the full reach of the flow is not known.");
+    if (totals.is_least) text += " " + words("More may be reached: the full reach is not known.");
     if (totals.off_map > 0)
         text += " " + words("Of {1} of them the map says nothing: see {2}.", {whole(totals.off_map), k_exposure_table});
     return text;

@@ -76,8 +76,8 @@ class Drawings {
     }
     [[nodiscard]] PictureOutcome outcome() const {
         if (!outcome_.left_out.empty())
-            log_.warn(worded("left out because of the signal: {1}; the same command with --resume draws them",
-                             {joined(outcome_.left_out, ", ")}));
+            log_.warn(
+                worded("left out because of the signal: {1}; --resume draws them", {joined(outcome_.left_out, ", ")}));
         return outcome_;
     }
 

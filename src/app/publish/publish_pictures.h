@@ -21,7 +21,7 @@ struct PictureRequest {
     bool only_missing = false;                 ///< existing ones are kept
     std::optional<MainStatistics> statistics;  ///< of a run whose summary.json is not written yet
     std::string date{};                        ///< the same
-    std::vector<Sentence> warnings{};          ///< the same
+    Warnings warnings{};                       ///< the same
 };
 
 /// The result of drawing.

@@ -63,8 +63,8 @@ ReportMap described(const ReportInput& input, const std::string& name, const std
     const std::vector<std::string> values{map.caption, words.number(grouped(main.covered_area_m2)),
                                           words.number(number_text(main.threshold)),
                                           words.number(grouped(main.run_out().horizontal_m))};
-    map.alt = is_view ? words("View of the slope. {1}. Covered {2} m² deeper than {3} m, run-out {4} m", values)
-                      : words("Map. {1}. Covered {2} m² deeper than {3} m, run-out {4} m", values);
+    map.alt = is_view ? words("View. {1}. {2} m² deeper than {3} m, run-out {4} m", values)
+                      : words("Map. {1}. {2} m² deeper than {3} m, run-out {4} m", values);
     return map;
 }
 
@@ -130,7 +130,7 @@ Document series_charts(const ReportInput& input) {
         charts.add(chart_figures(panel, words("Curve over time: {1}, at most {2}", {label, most}), words));
     };
     add(words("front from the release's centroid [m]"), &SeriesRow::front_distance);
-    add(words("greatest speed [m/s]"), &SeriesRow::max_speed);
+    add(words("Greatest speed [m/s]"), &SeriesRow::max_speed);
     add(words("greatest depth [m]"), &SeriesRow::max_depth);
     add(words("covered area [m²]"), &SeriesRow::covered_area);
     const auto named = [](const auto& places) {
@@ -229,7 +229,7 @@ std::optional<double> value_of(const ReachedFeature& feature, const std::string&
 
 Document exposure_answer(const std::optional<ExposureTotals>& totals, ReachedBy by, const Words& words) {
     if (!totals) return {};
-    return Document().paragraph(words("What is exposed."), exposure_sentence(*totals, by, words));
+    return Document().paragraph(words("Exposure."), exposure_sentence(*totals, by, words));
 }
 
 Document exposure_section(const std::optional<ExposureTotals>& totals, const Words& words) {
@@ -248,11 +248,9 @@ Document exposure_section(const std::optional<ExposureTotals>& totals, const Wor
         }
         table.row(cells);
     }
-    const std::string all = totals->reached > totals->deepest.size()
-                                ? words("The {1} deepest of {2}; {3} has all.",
-                                        {std::to_string(totals->deepest.size()),
-                                         words.number(grouped(static_cast<double>(totals->reached))), k_exposure_table})
-                                : words("{1} has all features, also those that are not reached.", {k_exposure_table});
+    const std::string all = words("The {1} deepest of {2}; {3} has all.",
+                                  {std::to_string(totals->deepest.size()),
+                                   words.number(grouped(static_cast<double>(totals->reached))), k_exposure_table});
     return Document().heading("exposure", words("Exposed features that are reached")).add(table).small(all);
 }
 
@@ -273,10 +271,8 @@ void add_maps(Document& page, const ReportInput& input, const std::vector<Report
     const Words& words = input.words;
     page.heading("maps", words("Maps"));
     if (maps.empty())
-        page.small(input.prepared.spec.output.maps.front() == "off"
-                       ? words("The scene asks for no maps.")
-                       : words("No map could be drawn; see the warnings."));
-    if (maps.size() == 1) page.small(words("The only map is on the first page."));
+        page.small(input.prepared.spec.output.maps.front() == "off" ? words("The scene asks for no maps.")
+                                                                    : words("No map could be drawn."));
     for (std::size_t i = 1; i < maps.size(); ++i) page.add(figure_of(maps[i]));
     if (!input.hazard.empty())
         page.box(hazard_heading(input.prepared.spec, words), hazard_table(input.prepared.spec, input.hazard, words));
@@ -285,7 +281,9 @@ void add_maps(Document& page, const ReportInput& input, const std::vector<Report
 void add_details(Document& page, const ReportInput& input) {
     const Words& words = input.words;
     page.heading("series", words("Course of the flow")).add(series_charts(input));
-    page.heading("values", words("Values in detail")).box(words("High values"), high_values_table(input));
+    page.heading("values", words("Values in detail"))
+        .add(answer_tables(input))
+        .box(words("High values"), high_values_table(input));
     if (!input.result.released.empty()) page.box(words("Release areas"), release_table(input.result, words));
     if (input.facts.accuracy) page.box(words("Accuracy"), accuracy_tables(*input.facts.accuracy, words));
     if (input.facts.release_ground || input.facts.path_ground)
@@ -301,9 +299,7 @@ void add_details(Document& page, const ReportInput& input) {
 void add_keys(Document& page, const ReportInput& input) {
     const Words& words = input.words;
     page.heading("parameters", words("Keys used"))
-        .small(words("Bold: given in the scene, on the command line or by the material preset. Keys that the scene "
-                     "does not use are left out."))
-        .small(words("Left at their defaults: {1}.", {joined(left_at_default(input.prepared), ", ")}))
+        .small(words("Bold: given. Left at their defaults: {1}.", {joined(left_at_default(input.prepared), ", ")}))
         .add(parameters_table(input.prepared, true, words))
         .folded(words("All keys"), parameters_table(input.prepared, false, words));
 }
@@ -315,9 +311,9 @@ void write_report(const ReportInput& input, const ResultDirectory& directory) {
     const Words& words = input.words;
     const std::string title = spec.output.title.value_or(scene_name(spec));
     const std::vector<ReportMap> maps = report_maps(input, directory);
-    Document page = answer_sentences(input);
+    Document page = answer(input);
     if (!maps.empty()) page.add(figure_of(maps.front()));
-    page.add(answer_tables(input)).end_answer();
+    page.add(scenario(input)).end_answer();
     add_maps(page, input, maps);
     page.part(k_comparison_section,
               comparison_section(input.comparison, drawn_for_page(directory.folder(), directory.path("comparison.png")),

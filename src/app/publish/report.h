@@ -44,7 +44,7 @@ struct ErrorEstimates {
 /// @param result the folder that the result will have
 ErrorEstimates error_estimates(const SummaryFacts& facts, const std::string& result);
 
-/// The paragraph "What is exposed." of a report's answer; empty without exposed features.
+/// The paragraph on exposure of a report's answer; empty without exposed features.
 Document exposure_answer(const std::optional<ExposureTotals>& totals, ReachedBy by, const Words& words);
 
 /// The section of the features that are reached, the deepest first, with its heading; empty if none is.

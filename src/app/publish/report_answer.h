@@ -10,10 +10,7 @@
 
 namespace frana::app {
 
-// The sentences of a report's first page.
-
-/// What fails: names, volume, area, thickness; inflow; what is eroded and deposited.
-Document release_sentences(const ReportInput& input);
+// The first page of a report.
 
 /// Returns the comments of the scene's material preset; none without a preset, or if it cannot be read.
 std::vector<std::string> preset_comments(const SceneSpec& spec);
@@ -29,15 +26,17 @@ struct GaugeAnswer {
 std::vector<GaugeAnswer> gauge_answers(const ReportInput& input);
 
 /// Returns the run's warnings with the verdict on its accuracy, which is put together in one language, in the report's.
-std::vector<Sentence> warnings_of(const ReportInput& input);
+Warnings warnings_of(const ReportInput& input);
 
-/// The first page: what fails, friction and material, where it goes, how sure, what was not done.
-Document answer_sentences(const ReportInput& input);
-/// The main values with their estimated errors.
+/// How far, how deep, how fast, how sure.
+Document answer(const ReportInput& input);
+/// What fails and moves how; exposure, comparison, warnings, limitations.
+Document scenario(const ReportInput& input);
+/// Further values with their estimated errors.
 Document answer_tables(const ReportInput& input);
 
-/// The parts of a report that `frana converge` replaces: the sentence on the size of the cells, the errors of values.
-std::vector<PagePart> error_parts(const ErrorEstimates& errors, double cell_size, const Words& words);
+/// The parts of a report that `frana converge` replaces: the errors of values.
+std::vector<PagePart> error_parts(const ErrorEstimates& errors, const Words& words);
 
 /// Returns "± 12", a word if the estimate does not converge, or the words for none.
 std::string error_text(const ErrorEstimates& errors, const std::string& key, const Words& words);

@@ -117,24 +117,18 @@ class PictureForPage {
 }  // namespace
 
 Document comparison_answer(const std::optional<Comparison>& comparison, const Words& words) {
-    const std::string lead = words("Against the survey.");
-    if (!comparison)
-        return Document().paragraph(lead, words("Not compared with an observed outline (frana compare does it)."));
-    std::string text;
-    if (const auto& f = comparison->statistics) {
-        text = words(
-            "Of the observed area {1} % is hit; {2} m² are covered beyond it. Jaccard index {3} (1: perfect), areas "
-            "differ by {4} %.",
-            {words.number(number_text(100 * f->true_positive_rate, 3)), words.number(grouped(f->false_alarm_m2)),
-             words.number(number_text(f->jaccard, 3)),
-             words.number(signed_number_text(f->signed_area_difference_percent()))});
-    }
+    if (!comparison) return {};
+    Table table({words("Comparison with the survey"), "", ""});
+    if (const auto& f = comparison->statistics)
+        table
+            .number(words("Jaccard index (critical success index), best 1"), words.number(number_text(f->jaccard, 3)),
+                    "")
+            .number(words("True positive rate, best 1"), words.number(number_text(f->true_positive_rate, 3)), "")
+            .number(words("False alarm"), words.number(grouped(f->false_alarm_m2)), "m²");
     if (comparison->runout_difference_m)
-        text += std::string(text.empty() ? "" : " ") +
-                words("Run-out, simulated minus observed: {1} m.",
-                      {words.number(signed_number_text(*comparison->runout_difference_m))});
-    if (text.empty()) text = words("The distances are in the table of the comparison.");
-    return Document().paragraph(lead, text);
+        table.number(words("Run-out, simulated minus observed, straight"),
+                     words.number(signed_number_text(*comparison->runout_difference_m)), "m");
+    return table.rows().empty() ? Document() : Document(std::move(table));
 }
 
 Document comparison_section(const std::optional<Comparison>& comparison, const std::string& picture,
@@ -146,7 +140,7 @@ Document comparison_section(const std::optional<Comparison>& comparison, const s
     if (c.statistics && fs::exists(picture))
         section.add(Figure{
             picture, words("Simulated against observed area"),
-            words("Map of the comparison: {1} m² hit, {2} m² false alarm, {3} m² missed",
+            words("Comparison: {1} m² hit, {2} m² false alarm, {3} m² missed",
                   {words.number(grouped(c.statistics->hit_m2)), words.number(grouped(c.statistics->false_alarm_m2)),
                    words.number(grouped(c.statistics->miss_m2))})});
     Document columns;
@@ -175,12 +169,10 @@ std::string map_title(const ProbabilityMap& map, const Words& words) {
 
 Document answer(const ProbabilityScores& scores, const ProbabilityMap& map, const Words& words) {
     const ReportNumbers number(words);
-    return Document().paragraph(
-        words("Against the survey."),
-        words(
-            "{1}: Brier score {2} (0: perfect), skill {3} (1: perfect, 0: as good as the mean "
-            "everywhere), area under the ROC curve {4} (1: perfect).",
-            {map_title(map, words), number(scores.brier, 3), number(scores.brier_skill, 3), number(scores.auroc, 3)}));
+    return Table({map_title(map, words), "", ""})
+        .number(words("Brier score, best 0"), number(scores.brier, 3), "")
+        .number(words("Brier skill, best 1"), number(scores.brier_skill, 3), "")
+        .number(words("Area under the ROC curve, best 1"), number(scores.auroc, 3), "");
 }
 
 Document section(const ProbabilityScores& scores, const ProbabilityMap& map, const Words& words) {
@@ -196,8 +188,7 @@ Document section(const ProbabilityScores& scores, const ProbabilityMap& map, con
     return Document()
         .heading("comparison", words("Comparison with the survey"))
         .add(Figure{"", map_title(map, words),
-                    words("Reliability of the probabilities, and their ROC curve with an area of {1}",
-                          {number(scores.auroc, 3)}),
+                    words("Reliability of probabilities, and ROC curve with area {1}", {number(scores.auroc, 3)}),
                     page_chart_svg(probability_chart(scores, map))})
         .add(table);
 }

@@ -154,10 +154,6 @@ Document high_values_table(const ReportInput& input) {
     }
     return Document()
         .add(table)
-        .small(
-            words("The greatest value is that of a single cell; 99.9 % and 99 % of the area deeper than {1} m do not "
-                  "exceed the others, with the maximum over time in each cell.",
-                  {number(input.prepared.spec.output.trace_threshold)}))
         .add(flows_table(input.facts.statistics.run_outs, words))
         .add(gauges_table(input))
         .add(sections_table(input));
@@ -296,18 +292,13 @@ Document friction_table(const FrictionByPlace& friction, const std::vector<Frict
     Document told;
     told.paragraph(friction_text(choice).in(words));
     if (choice.friction_factor != 1 || choice.turbulence_factor != 1)
-        told.paragraph(words("Every μ of the table is multiplied by {1}, every ξ by {2}.",
+        told.paragraph(words("Every μ times {1}, every ξ times {2}.",
                              {n(choice.friction_factor, 3), n(choice.turbulence_factor, 3)}));
     if (!areas.empty()) told.add(table);
     if (source.terrain.size() > 1)
-        told.small(
-            words("Of the area reached, by the nearest class. Between two classes of terrain the values are "
-                  "interpolated by the curvature across the slope, from elevations {1} m apart (whole cells); mu.tif "
-                  "and xi.tif have those used.",
-                  {n(friction.spacing(), 4)}));
-    if (!crossed.empty())
-        told.small(words("At {1} m the flow comes into another band of altitude: there μ and ξ change in a step.",
-                         {joined(crossed, ", ")}));
+        told.small(words("Areas by nearest class; values interpolated over {1} m in mu.tif and xi.tif.",
+                         {n(friction.spacing(), 4)}));
+    if (!crossed.empty()) told.small(words("μ and ξ step at elevations of {1} m.", {joined(crossed, ", ")}));
     if (!source.note.empty()) told.small(source.note);
     return told;
 }
@@ -325,9 +316,8 @@ Document hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& area
                    {n.grouped(area.area_m2), "n"}});
     }
     Document told;
-    told.paragraph(words("Scheme {1}, after {2}. This is the intensity of one scenario; a hazard level also depends on "
-                         "its frequency.",
-                         {words(scheme->called), words(scheme->source)}))
+    told.paragraph(words("Scheme {1}, after {2}.", {words(scheme->called), words(scheme->source)}))
+        .paragraph(words("Intensity of one scenario, without its frequency."))
         .add(table);
     for (const std::string& label : scheme->minimum_labels()) told.small(class_label(label, words));
     return told;

@@ -55,7 +55,7 @@ std::string cells_sentence(const AccuracyRecord& record, const Words& words) {
     std::string text = record.is_finest() ? words("the result is on cells of {1} m, the scene's own", {size})
                                           : words("the result is on cells of {1} m", {size});
     if (record.terrain_cell_size > 0 && record.chosen_cell_size < record.terrain_cell_size * (1 - 1e-9))
-        text += ", " + words("finer than the DTM's {1} m: between its cells the terrain is interpolated",
+        text += ", " + words("finer than the DTM's {1} m: terrain interpolated between its cells",
                              {words.number(number_text(record.terrain_cell_size))});
     return text;
 }
@@ -349,7 +349,7 @@ std::string summary_json(const RunResult& result, const SummaryFacts& facts) {
     add_run_problems(json, result);
     if (facts.accuracy) json["accuracy"] = accuracy_json(*facts.accuracy);
     json["warnings"] = texts_of(facts.warnings);
-    json["warning_words"] = json_of(facts.map_warnings);
+    json["warning_values"] = json_of(facts.warnings);
     json[k_data_key] = facts.data_identity;
     return json_text(json);
 }

@@ -95,7 +95,7 @@ struct SummaryFacts {
     std::shared_ptr<const FrictionByPlace> friction;              ///< after a friction table; null without one
     std::vector<FrictionArea> friction_areas;                     ///< of the trace
     std::optional<ExposureTotals> exposure;                       ///< none: no exposed features
-    std::vector<Sentence> warnings, map_warnings;                 ///< all; those that stand on maps
+    Warnings warnings;                                            ///< of the result and of its writing
     std::optional<AccuracyRecord> accuracy;  ///< none: not asked for, or the run did not come to its end
     std::vector<std::string> data_identity;  ///< by which --resume compares the scene's data
 };

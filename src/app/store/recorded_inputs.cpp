@@ -167,12 +167,10 @@ void find_recorded_files(const NamingText& text, const std::string& result_folde
         if (fs::exists(here, error)) {
             if (belongs_to_key(here, false) && !has_content(here, recorded)) {
                 const FileMark mark = mark_at(here);
-                log.warn(worded(
-                    "{1}: {2} is not as it was when this result was computed (then {3}; now {4}): the run repeats the "
-                    "scene, not the result",
-                    {text.where(recorded.key), here.string(), recorded.mark(),
-                     std::to_string(mark.bytes) + " bytes" +
-                         (mark.checksum.empty() ? "" : ", xxh128 " + mark.checksum)}));
+                log.warn(worded("{1}: {2} changed since this result (then {3}; now {4})",
+                                {text.where(recorded.key), here.string(), recorded.mark(),
+                                 std::to_string(mark.bytes) + " bytes" +
+                                     (mark.checksum.empty() ? "" : ", xxh128 " + mark.checksum)}));
             }
         } else if (text.warns_only) {
             continue;

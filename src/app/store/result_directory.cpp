@@ -347,7 +347,7 @@ void remove_working_files(const std::string& result, bool frames, RunLog& log) {
                 inner.insert(parent);
             fs::remove(fs::path(result) / name, error);
             if (error) {
-                log.warn(worded("{1} is no longer needed and cannot be removed: {2}; --resume tries again",
+                log.warn(worded("{1} cannot be removed: {2}; --resume tries again",
                                 {(fs::path(result) / name).string(), error.message()}));
             } else {
                 removed.push_back(name);

@@ -95,9 +95,9 @@ std::map<std::string, std::string> provenance(const Prepared& prepared) {
         const bool is_default = prepared.spec.origin_of(key) == Origin::default_value;
         all["DENSITY"] = shortest_text(prepared.spec.material.density) + " kg/m3" + (is_default ? " (default)" : "");
     }
-    for (const Sentence& doubt : prepared.doubts) {
+    for (const std::string& doubt : texts_of(limits_of_use(prepared.scene.warnings))) {
         std::string& told = all["DOUBTS"];
-        told += (told.empty() ? "" : "; ") + doubt.text();
+        told += (told.empty() ? "" : "; ") + doubt;
     }
     return all;
 }

@@ -60,7 +60,7 @@ struct MemberEnd {
     double left_fraction = 0;    ///< of the volume, through the edges of the computed ground
     bool is_held = false;        ///< by cells without elevation (gap_contact)
     double energy_error = 0;     ///< NaN: not known
-    std::vector<Sentence> warnings;
+    Warnings warnings;
 
     /// Whether the full run-out is not known.
     [[nodiscard]] bool left() const noexcept { return left_fraction > k_left_ground; }

@@ -14,20 +14,19 @@ void RunLog::note(const std::string& text) {
     lines_.push_back(stamp + text);
 }
 
-void RunLog::tell(const Sentence& warning) {
-    const std::string text = warning.text();
-    note("WARNING: " + text);
-    if (!quiet_) std::cerr << "frana: warning: " << shown_text(text) << '\n';
+void RunLog::tell(const Warnings& warnings) {
+    for (const std::string& text : texts_of(warnings)) {
+        note("WARNING: " + text);
+        if (quiet_)
+            withheld_.push_back(text);
+        else
+            std::cerr << "frana: warning: " << shown_text(text) << '\n';
+    }
 }
 
-void RunLog::warn(const Sentence& warning) {
-    warnings_.push_back(warning);
-    tell(warning);
-}
-
-void RunLog::warn_first(const std::vector<Sentence>& warnings) {
-    warnings_.insert(warnings_.begin(), warnings.begin(), warnings.end());
-    for (const Sentence& warning : warnings) tell(warning);
+void RunLog::warn(const Warning& warning) {
+    found_.push_back(warning);
+    tell({warning});
 }
 
 void RunLog::warn_of(const Sentence& thing, const std::vector<Sentence>& warnings) {
@@ -40,8 +39,7 @@ void RunLog::info(const std::string& text) {
 }
 
 void RunLog::print_deferred_warnings() const {
-    if (!quiet_) return;
-    for (const Sentence& warning : warnings_) std::cerr << "frana: warning: " << shown_text(warning.text()) << '\n';
+    for (const std::string& text : withheld_) std::cerr << "frana: warning: " << shown_text(text) << '\n';
 }
 
 void RunLog::continue_from(const std::vector<std::string>& earlier) {

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/process/terminal.h"
 #include "core/error.h"
-#include "core/words/sentence.h"
+#include "core/words/warning.h"
 
 namespace frana::app {
 
@@ -16,13 +17,15 @@ class RunLog {
     explicit RunLog(bool quiet) : quiet_(quiet) {}
 
     void note(const std::string& text);
-    /// Logs a fact that the user must know before relying on the result.
-    void warn(const Sentence& warning);
-    void warn_all(const std::vector<Sentence>& warnings) {
-        for (const Sentence& warning : warnings) warn(warning);
+    /// Tells a fact that the user must know before relying on the result, and keeps it until it is taken.
+    void warn(const Warning& warning);
+    void warn_all(const Warnings& warnings) {
+        for (const Warning& warning : warnings) warn(warning);
     }
-    /// The same for what must be read before all other warnings, although it was found after some of them.
-    void warn_first(const std::vector<Sentence>& warnings);
+    /// Tells what a result knows already.
+    void tell(const Warnings& warnings);
+    /// Returns what was found since the last call, for the values of a scene or a result: the log keeps texts only.
+    [[nodiscard]] Warnings take_warnings() { return std::exchange(found_, {}); }
     /// Logs such facts about one thing: "DTM: ...".
     void warn_of(const Sentence& thing, const std::vector<Sentence>& warnings);
     /// Writes a line to the terminal and the log.
@@ -36,16 +39,13 @@ class RunLog {
 
     [[nodiscard]] bool is_quiet() const noexcept { return quiet_; }
     [[nodiscard]] const std::vector<std::string>& lines() const noexcept { return lines_; }
-    [[nodiscard]] const std::vector<Sentence>& warnings() const noexcept { return warnings_; }
     [[nodiscard]] std::string text() const;
 
   private:
-    void tell(const Sentence& warning);
-
     bool quiet_;
     Stopwatch since_start_;
-    std::vector<std::string> lines_;
-    std::vector<Sentence> warnings_;
+    std::vector<std::string> lines_, withheld_;
+    Warnings found_;
 };
 
 using frana::attempt;

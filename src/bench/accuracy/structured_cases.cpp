@@ -341,7 +341,7 @@ CaseStatistics run_drag(double dt) {
     double worst = 0;
     for (const int exponent : {1, 2}) {
         structured::CouplingLaws laws;
-        laws.virtual_mass.law = structured::VirtualMassLaw::none;
+        laws.virtual_mass.acts = false;
         laws.drag.exponent = exponent;
         laws.drag.smoothing_velocity = 10;
         structured::CellPhases cell;

@@ -55,8 +55,6 @@ struct SolidBlock {
         }
         laws.solid.wave_speed = laws.solid.elastic.wave_speed(lightest);
         structured::SolidStages stages = structured::choose_solid_stages(material.cohesion > 0, wet);
-        if (laws.solid.earth_pressure == structured::EarthPressure::passive)
-            stages.fields = stages.fields | structured::k_passive_fields;
         const auto of_place = [this](Point) { return material; };
         const ParticleSet solids =
             structured::assign_material(structured::split_phases(columns, of_place), stages.fields, of_place);

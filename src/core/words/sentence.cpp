@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/words/sentence.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <utility>
+
+#include "core/words/warning.h"
 
 namespace frana {
 
@@ -46,6 +50,23 @@ std::vector<std::string> texts_of(const std::vector<Sentence>& sentences) {
     std::vector<std::string> texts;
     for (const Sentence& sentence : sentences) texts.push_back(sentence.text());
     return texts;
+}
+
+std::vector<std::string> texts_of(const Warnings& all) {
+    std::vector<std::string> texts;
+    for (const Warning& warning : all) texts.push_back(warning.words.text());
+    return texts;
+}
+
+Warnings without(Warnings all, const Warnings& known) {
+    std::erase_if(all, [&](const Warning& one) { return std::find(known.begin(), known.end(), one) != known.end(); });
+    return all;
+}
+
+Warnings limits_of_use(const Warnings& all) {
+    Warnings some;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(some), [](const Warning& one) { return one.limits_use; });
+    return some;
 }
 
 }  // namespace frana

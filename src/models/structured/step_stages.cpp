@@ -48,7 +48,6 @@ void observe_particles(const State& state, const Laws& laws, StepReport& report,
         const ParticleRun run = solid.order.whole_rows(row, row);
         const bool wet = solid.particles[Field::confined] != nullptr;
         const double* const cohesion = solid.particles[Field::cohesion];
-        rows[r].elastic = laws.solid.broken == BrokenMaterial::elastic && run.begin < run.end;
         for (std::size_t p = run.begin; p < run.end; ++p) {
             const double solids = solid.particles[Field::volume][p];
             const double confined = wet ? solid.particles[Field::confined][p] : 0;

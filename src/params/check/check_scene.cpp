@@ -66,14 +66,6 @@ void check_friction(const SceneSpec& scene, const std::set<std::string>& given, 
         problems.add({"names two laws for the same effect, the " + what, file + ": material.bed-friction",
                       joined(words, ", "), "one of them", "Keep one of them"});
     }
-    const bool by_ratio = std::any_of(selected.begin(), selected.end(), [](const Law* law) {
-        return law->kind == LawKind::bed_friction && law->reads_key("material.yield-ratio");
-    });
-    if (by_ratio && !scene.material.exact_yield_ratio && !(scene.material.yield_stress > 0)) {
-        problems.add({"must be greater than 0", file + ": material.yield-stress",
-                      shortest_text(scene.material.yield_stress), "",
-                      "yield-ratio = quadratic needs it; exact does not"});
-    }
 }
 
 /// Checks that the table's values, with forest and factors, are within the limits of the keys that they replace: those

@@ -20,10 +20,9 @@ const std::set<std::string> k_voellmy_bingham_only{
     "numerics.flight-drag",   "numerics.flight-clearance"};
 
 // Keys of [structured] that pure fluid reads too.
-const std::set<std::string> k_fluid_keys{"structured.phases",          "structured.fluid-density",
-                                         "structured.fluid-viscosity", "structured.velocity-profile-factor",
-                                         "structured.manning",         "structured.dry-depth",
-                                         "structured.zones",           "structured.initial-fluid-depth"};
+const std::set<std::string> k_fluid_keys{
+    "structured.phases",    "structured.fluid-density", "structured.fluid-viscosity",    "structured.manning",
+    "structured.dry-depth", "structured.zones",         "structured.initial-fluid-depth"};
 
 bool has_solids(const SceneSpec& scene) {
     return scene.structured.phases == "solids-and-fluid";

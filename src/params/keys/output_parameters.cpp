@@ -99,7 +99,7 @@ using declare::text;
 /// Classes are bytes of a raster in which 0 is no data: a class more than limits.
 constexpr std::size_t k_most_limits = 254;
 
-/// output.classes and a key for each row of quantity_classes().
+/// output.classes and a key for the rows of quantity_classes() that have one.
 void add_classes(std::vector<Parameter>& list) {
     list.push_back(option("output.classes", FRANA_MEMBER(output.classes.fixed),
                           declare::Words<bool>{{"fixed", true}, {"to-maximum", false}},
@@ -107,6 +107,7 @@ void add_classes(std::vector<Parameter>& list) {
                           "compared, or round steps up to the greatest value of each raster."));
     for (std::size_t i = 0; i < quantity_classes().size(); ++i) {
         const QuantityClasses& row = quantity_classes()[i];
+        if (row.words.empty()) continue;
         Parameter key = rising_numbers(
             "output.classes-" + row.name, [i](auto& scene) -> auto& { return scene.output.classes.bounds[i]; },
             row.unit, "Bounds of the fixed classes of " + row.words + "; the last class is open.");

@@ -11,14 +11,13 @@
 
 namespace frana {
 
-/// A key that had another name in earlier versions. Scenes may still use that name, with a warning unless it stays.
+/// A second name of a key, that of earlier versions, which scenes may use.
 struct FormerName {
     const char* former;
     const char* now;
-    bool stays = false;  ///< a second name that will not be refused
 };
 
-/// In the order of the reference; CHANGELOG.md contains the table of those that do not stay (a test compares).
+/// In the order of the reference.
 [[nodiscard]] const std::vector<FormerName>& former_names();
 
 /// Returns the entry of a name; null if it is no former name.

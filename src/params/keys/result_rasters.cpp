@@ -13,11 +13,11 @@ const std::vector<QuantityClasses>& quantity_classes() {
         {"max-depth", "depths and thicknesses", "m", {0.2, 0.5, 1, 2, 5, 10, 20, 50}},
         {"max-velocity", "speeds", "m/s", {1, 2, 5, 10, 20, 30, 50}},
         {"max-pressure", "dynamic pressures", "kPa", {1, 3, 10, 30, 100, 300, 1000}},
-        {"arrival-time", "times of arrival", "s", {10, 30, 60, 120, 300, 600, 1800}},
-        {"max-flux", "products of depth and speed", "m2/s", {0.5, 1, 2, 5, 10, 20, 50}},
-        {"max-head", "energy heads", "m", {0.5, 1, 1.5, 2, 5, 10, 20}},
-        {"strain", "strains", "", {0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1}},
-        {"error", "estimated errors of the depth", "m", {0.02, 0.05, 0.1, 0.2, 0.5, 1, 2}},
+        {"arrival-time", "", "s", {10, 30, 60, 120, 300, 600, 1800}},
+        {"max-flux", "", "m2/s", {0.5, 1, 2, 5, 10, 20, 50}},
+        {"max-head", "", "m", {0.5, 1, 1.5, 2, 5, 10, 20}},
+        {"strain", "", "", {0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1}},
+        {"error", "", "m", {0.02, 0.05, 0.1, 0.2, 0.5, 1, 2}},
     };
     return k_table;
 }

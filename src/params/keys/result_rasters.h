@@ -11,8 +11,8 @@ namespace frana {
 /// Classes of one quantity on maps, in films and in GIS styles: from 0 to the first bound, between neighbouring bounds,
 /// and above the last.
 struct QuantityClasses {
-    std::string name;   ///< "max-depth": key output.classes-max-depth
-    std::string words;  ///< "depths", in the key's sentence
+    std::string name;   ///< "max-depth": key output.classes-max-depth, if it has one
+    std::string words;  ///< "depths", in the key's sentence; empty: no key
     std::string unit;   ///< rasters of this unit have the classes of its first row, unless theirs names another
     std::vector<double> bounds;  ///< greater than 0, rising
 };

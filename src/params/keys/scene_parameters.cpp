@@ -330,8 +330,6 @@ void add_numerics(std::vector<Parameter>& list) {
         declare::option("numerics.boundary", FRANA_MEMBER(numerics.boundary),
                         declare::Words<Boundary>{{"open", Boundary::open}, {"wall", Boundary::wall}},
                         "Edge of the working grid: open (outflow is counted) or a wall.")));
-    list.push_back(number("numerics.gravity", FRANA_MEMBER(numerics.gravity), "m/s2", Range{0.1, 100},
-                          "Acceleration of gravity."));
     list.push_back(declare::decides_map(
         number("numerics.minimum-depth", FRANA_MEMBER(numerics.minimum_depth), "m", Range{1e-6, 10},
                "Depth above which a cell counts as reached in maxima and arrival time. Film thinner than ten "
@@ -364,23 +362,14 @@ void add_rest(std::vector<Parameter>& list) {
         number("time.end", FRANA_MEMBER(time.end), "s", Range{0, 1e6, true}, "Longest simulated time.")));
     list.push_back(
         on_off("time.stop-when-still", FRANA_MEMBER(time.stop_when_still), "End as soon as all material is at rest."));
-    list.push_back(number("time.stop-energy-fraction", FRANA_MEMBER(time.stop_energy_fraction), "", Range{0, 0.5},
-                          "End once the kinetic energy is below this fraction of its peak; 0: off."));
-    list.push_back(number("time.stop-moving-fraction", FRANA_MEMBER(time.stop_moving_fraction), "", Range{0, 0.5},
-                          "End once the moving volume is below this fraction of its peak; 0: off."));
     list.push_back(number("time.stop-momentum", FRANA_MEMBER(time.stop_momentum), "", Range{0, 0.5},
                           "End once the momentum, the sum of mass times speed, is below this fraction of its peak; 0: "
                           "off. 0.05 is customary for avalanches."));
-    list.push_back(number("time.moving-speed", FRANA_MEMBER(time.moving_speed), "m/s", Range{0, 10, true},
-                          "Speed above which volume counts as moving."));
     list.push_back(declare::decides_map(
         number("time.stop-change", FRANA_MEMBER(time.stop_change), "", Range{0, 0.5},
                "End once run-out (or by a cell) and area over output.trace-threshold have changed by no "
-               "more than this fraction over time.stop-window, and no more than four times this fraction of "
-               "the volume has changed cell; 0: off.")));
-    list.push_back(
-        number("time.stop-window", FRANA_MEMBER(time.stop_window), "", Range{0.05, 1},
-               "Window of time.stop-change: fraction of the time since the last release or inflow, at least 10 s."));
+               "more than this fraction over the last quarter of the time since the last release, at least 10 s, "
+               "and no more than four times this fraction of the volume has changed cell; 0: off.")));
     list.push_back(number("time.frame-interval", FRANA_MEMBER(time.frame_interval), "s", Range{0, 1e6, true},
                           "Simulated time between frames; each is the first state at or after its time.",
                           "a round number, at most sixty-one frames"));

@@ -100,7 +100,6 @@ struct StructuredSpec : StructuredValues {
     std::optional<SourceSpec> grain_diameter = SourceSpec{SourceSpec::Kind::number, SolidValues{}.grain_diameter, {}};
     std::optional<SourceSpec> cohesion, internal_friction_angle, bed_friction_angle;
     double dilatancy_angle = 0;
-    std::optional<double> block_size;
 };
 
 /// [time]

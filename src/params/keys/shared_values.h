@@ -35,10 +35,6 @@ struct Entrainment : ErosionLaws::Values, DepositionLaws::Values {
 struct StructuredValues {
     double fluid_density = k_fluid_density;  ///< [kg/m3]
     double fluid_viscosity = 0;              ///< a_eta [Pa s]; 0: no viscous terms
-    double viscosity_growth = 10;            ///< b_eta, with the solids' fraction [-]
-    double velocity_shape = 3;               ///< chi [-]
-    double mobility = 1;                     ///< A of the enhanced stress [-]
-    double solids_shape = 2;                 ///< zeta [-]
     double manning = 0.1;                    ///< n [s/m^(1/3)]
     double dry_depth = k_dry_depth;          ///< [m]
     double young_modulus = 12e6;             ///< [Pa]
@@ -46,23 +42,8 @@ struct StructuredValues {
     double critical_strain = 0.05;           ///< eps_c [-]
     std::optional<double> damage_length;     ///< R [m]
     double modulus_reduction = 1;            ///< divides both moduli [-]
-    double pic_fraction = 0;                 ///< [-]
     double pore_pressure_fraction = 0;       ///< B [-]
-    double richardson_zaki = 2.4;            ///< M [-]
-    double smoothing_velocity = 1;           ///< K of the drag [m/s]; 0: the mixture's flux
-    double drag_mixing_exponent = 1;         ///< m of P [-]
-
-    bool manning_on_total = false;     ///< by the total depth; false: by that of the free fluid
-    bool spread_evenly = false;        ///< particles placed by depth along the R2 sequence; false: on a lattice
-    bool damage_by_distortion = true;  ///< false: by opening
-    double initial_structured = 1;     ///< f_sc of intact material [-]
-    bool yield_on_own_stress = false;  ///< without the overburden
-    bool broken_is_elastic = false;    ///< false: broken material has earth pressure alone
-    enum class EarthPressure { hydrostatic, active, passive } earth_pressure = EarthPressure::hydrostatic;
-    int drag_exponent = 2;            ///< j: 1 or 2
-    bool exponent_by_grains = false;  ///< M from the grains' Reynolds number
-    bool mixing_by_solids = false;    ///< P of the drag: alpha_s^m; false: the paper's quotient
-    enum class VirtualMass { none, pudasaini_2012, pudasaini_2019 } virtual_mass = VirtualMass::pudasaini_2012;
+    bool manning_on_total = false;           ///< by the total depth; false: by that of the free fluid
 };
 
 enum class Boundary { open, wall };
@@ -145,12 +126,10 @@ bool flight(const Numerics& numerics);
 double courant_number(const Numerics& numerics, const Material& material);
 
 struct TimeValues {
-    bool stop_when_still = true;      ///< end early once nothing moves
-    double stop_energy_fraction = 0;  ///< end once the kinetic energy is below this fraction of its peak; 0: never
-    double stop_moving_fraction = 0;  ///< end once the moving volume is below this fraction of its peak; 0: never
-    double stop_momentum = 0;         ///< end once the momentum is below this fraction of its peak; 0: never
-    double moving_speed = 0.1;        ///< speed that counts as moving [m/s]
-    double stop_window = 0.25;        ///< fraction of the time since material last entered
+    bool stop_when_still = true;  ///< end early once nothing moves
+    double stop_momentum = 0;     ///< end once the momentum is below this fraction of its peak; 0: never
+    double moving_speed = 0.1;    ///< speed that counts as moving [m/s]
+    double stop_window = 0.25;    ///< fraction of the time since material last entered
 };
 inline constexpr double k_trace_threshold = 0.1;  ///< depth from which a cell belongs to the trace [m]
 

@@ -80,9 +80,7 @@ std::string title_of(const Parameter& key) {
     for (const KeyRow& row : k_rows)
         if (key.name() == row.key && *row.title != 0) return row.title;
     if (!key.called.empty()) return key.called;
-    std::string title = key.key;
-    std::replace(title.begin(), title.end(), '-', ' ');
-    return title;
+    return key.key;
 }
 
 std::string title_in(const std::string& name, const Words& words) {
@@ -135,7 +133,8 @@ std::string absent_in(const Parameter& key, const Words& words) {
 }
 
 std::vector<std::string> rows_of(const Parameter& key) {
-    std::vector<std::string> rows{own_meaning(key), title_of(key)};
+    std::vector<std::string> rows{own_meaning(key)};
+    if (const std::string title = title_of(key); title != key.key) rows.push_back(title);
     const std::string absent = NumberPattern(key.absent).text;
     const bool is_key = absent.find('.') != absent.npos && absent.find(' ') == absent.npos;  // another key's value
     const bool has_words = !absent.empty() && absent != "{1}" && absent != "off" && !is_key;
@@ -170,9 +169,6 @@ constexpr Condition k_conditions[] = {
     {"numerics.flight-clearance", [](const SceneSpec& s) { return flight(s.numerics); }},
     {"numerics.flight-drag", [](const SceneSpec& s) { return flight(s.numerics); }},
     {"time.stop-change", [](const SceneSpec& s) { return s.time.stop_change > 0; }},
-    {"time.stop-window", [](const SceneSpec& s) { return s.time.stop_change > 0; }},
-    {"time.stop-energy-fraction", [](const SceneSpec& s) { return s.time.stop_energy_fraction > 0; }},
-    {"time.stop-moving-fraction", [](const SceneSpec& s) { return s.time.stop_moving_fraction > 0; }},
     {"time.stop-momentum", [](const SceneSpec& s) { return s.time.stop_momentum > 0; }},
     {"time.frame-interval", [](const SceneSpec&) { return false; }},
     {"observed.perimeter-error", [](const SceneSpec& s) { return s.observed.perimeter.has_value(); }},

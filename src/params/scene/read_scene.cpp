@@ -119,10 +119,49 @@ namespace {
 
 /// Keys of earlier versions, and what to use.
 constexpr std::pair<const char*, const char*> k_gone_keys[] = {
+    {"structured.confined-share", "Use structured.confined-fraction"},
+    {"structured.softening", "Use structured.modulus-reduction"},
+    {"structured.pore-pressure-share", "Use structured.basal-pore-pressure-fraction"},
+    {"entrainment.critical-shear", "Use entrainment.critical-shear-stress"},
+    {"entrainment.deposition-shear", "Use entrainment.deposition-shear-stress"},
+    {"entrainment.potential-depth", "Use entrainment.erosion-depth-per-stress"},
     {"output.names", "Remove it; AvaFrame reads the GeoTIFFs of the result"},
     {"output.view-exaggeration", "Remove it: `frana render --view 3d --exaggeration` draws such a view"},
     {"output.view-background", "Remove it: `frana render --view 3d --plain` draws without a sky"},
-    {"output.view-camera", "Remove it: `frana render --view 3d --camera` draws such a view"}};
+    {"output.view-camera", "Remove it: `frana render --view 3d --camera` draws such a view"},
+    {"structured.velocity-profile-factor", "Remove it: the velocity's shape is 3"},
+    {"structured.placement", "Remove it: particles start on a lattice"},
+    {"structured.damage", "Remove it: distortion counts; structured.critical-strain is its limit"},
+    {"structured.initial-structured-fraction",
+     "Remove it: intact solids are structured; lower structured.confined-fraction"},
+    {"structured.yield-check", "Remove it: the total stress yields"},
+    {"structured.broken-material", "Remove it: broken material has earth pressure"},
+    {"structured.earth-pressure", "Remove it: the load beyond the strength is hydrostatic"},
+    {"structured.pic-fraction", "Remove it: solids move by increments of the grid's velocity"},
+    {"structured.drag-exponent", "Remove it: the drag is quadratic"},
+    {"structured.richardson-zaki", "Remove it: the exponent is 2.4; structured.grain-diameter sets the drag"},
+    {"structured.richardson-zaki-law", "Remove it: the exponent is 2.4; structured.grain-diameter sets the drag"},
+    {"structured.smoothing-velocity", "Remove it: it is 1 m/s; structured.grain-diameter sets the drag"},
+    {"structured.drag-mixing", "Remove it: structured.grain-diameter sets the drag"},
+    {"structured.drag-mixing-exponent", "Remove it: structured.grain-diameter sets the drag"},
+    {"structured.block-size", "Remove it: blocks are as large as the flow is deep"},
+    {"structured.virtual-mass", "Remove it: the law is that of Pudasaini 2012"},
+    {"structured.viscosity-growth", "Remove it: it is 10; structured.fluid-viscosity sets the viscosity"},
+    {"structured.mobility", "Remove it: it is 1; structured.fluid-viscosity sets the stress"},
+    {"structured.solids-profile-factor", "Remove it: it is 2; structured.fluid-viscosity sets the stress"},
+    {"entrainment.velocity-ratio", "Remove it: it is 1"},
+    {"numerics.gravity", "Remove it: it is 9.81 m/s2"},
+    {"time.stop-energy-fraction", "Use time.stop-momentum"},
+    {"time.stop-moving-fraction", "Use time.stop-momentum"},
+    {"time.stop-window", "Remove it: time.stop-change sets how still the flow must be"},
+    {"time.moving-speed", "Remove it: it is 0.1 m/s"},
+    {"material.yield-ratio", "Remove it: the root is exact"},
+    {"material.yield-regularisation", "Remove it: it is 0.01 1/s"},
+    {"output.classes-arrival-time", "Remove it, or set output.classes = to-maximum"},
+    {"output.classes-max-flux", "Remove it, or set output.classes = to-maximum"},
+    {"output.classes-max-head", "Remove it, or set output.classes = to-maximum"},
+    {"output.classes-strain", "Remove it, or set output.classes = to-maximum"},
+    {"output.classes-error", "Remove it, or set output.classes = to-maximum"}};
 
 }  // namespace
 
@@ -162,11 +201,7 @@ void SceneReader::use_present_names(KeySource& source) {
             reading_.written.erase(entry.name);
             continue;
         }
-        if (former->stays)
-            reading_.written[former->now] = former->former;
-        else
-            reading_.warnings.push_back(worded("{1} is now called {2}: a later version will refuse the former name",
-                                               {source.where(entry.name), std::string(former->now)}));
+        reading_.written[former->now] = former->former;
         entry.name = former->now;
     }
 }

@@ -22,7 +22,7 @@ struct SceneReading {
     SceneSpec scene;
     Session session;
     Problems problems;
-    std::vector<Sentence> warnings;  ///< keys given by a former name
+    std::vector<Sentence> warnings;  ///< of implausible values
     std::string label;               ///< the scene file as the user named it
     std::string override_label;      ///< before the name of a key that was overridden: "--set "
 

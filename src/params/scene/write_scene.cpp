@@ -96,9 +96,8 @@ std::string scene_schema() {
         const auto dot = former.find('.'), present = now.find('.');
         Json& section = sections[former.substr(0, dot)];
         if (section.is_null()) section = {{"type", "object"}, {"additionalProperties", false}};
-        Json key = sections[now.substr(0, present)]["properties"][now.substr(present + 1)];
-        if (!name.stays) key["deprecated"] = true;
-        section["properties"][former.substr(dot + 1)] = std::move(key);
+        section["properties"][former.substr(dot + 1)] =
+            Json(sections[now.substr(0, present)]["properties"][now.substr(present + 1)]);
     }
     return json_text(schema);
 }

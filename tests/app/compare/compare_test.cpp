@@ -39,7 +39,7 @@ TEST_F(Compare, AScarBeyondTheGridCountsAsMissed) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(json_number(outcome.out, "observed_area_m2"), 200 * 150);
     EXPECT_EQ(json_number(outcome.out, "miss_m2"), 100 * 150);
-    EXPECT_NE(outcome.err.find("beyond the result's rasters"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("beyond the rasters"), std::string::npos) << outcome.err;
 }
 
 // The comparison's raster has the whole outline, and so other cells than the run's.
@@ -50,7 +50,7 @@ TEST_F(Compare, ARunWhoseOutlineReachesBeyondItsGroundIsFinished) {
         "[observed]\nperimeter = scar.geojson\n");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_TRUE(json_lists(read_text(path("result/summary.json")), "warnings", "beyond the result's rasters"));
+    EXPECT_TRUE(json_lists(read_text(path("result/summary.json")), "warnings", "beyond the rasters"));
     for (const char* file : {"result/comparison.png", "result/report.html"})
         EXPECT_TRUE(std::filesystem::exists(path(file))) << file;
     EXPECT_EQ(json_number(read_text(path("result/comparison.json")), "observed_area_m2"), 230 * 110);

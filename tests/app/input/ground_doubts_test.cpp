@@ -119,35 +119,35 @@ TEST_F(GroundDoubts, CopiedCellsAreToldWithTheirFactorAndFranasOwnResamplingIsRi
     EXPECT_NEAR(number("bilinear", "covered_area_m2") / number("right", "covered_area_m2"), 1, 0.05);
     write_grid("bed", 10, copied(30, bed));
     const std::string told = doubts();
-    expect_words(told, {"blocks of 3 x 3 equal cells", "% of the path", "bilinear or cubic"});
+    expect_words(told, {"copied cells (3 x 3)", "% of the path", "bilinear"});
     run("copied", {});
     EXPECT_LT(number("copied", "runout.horizontal_m"), 0.5 * number("right", "runout.horizontal_m"));
-    expect_words(read_text(path("copied/report.html")), {"blocks of 3 x 3 equal cells"});
+    expect_words(read_text(path("copied/report.html")), {"copied cells (3 x 3)"});
     // What passes on without the log carries it, too; those of a study as well.
     write("study.ini", "[study]\nscene = bed.ini\nsamples = 2\n[vary]\nmaterial.friction-angle = uniform(19, 21)\n");
     const Outcome study = frana({"ensemble", "study.ini", "--out", "study", "--quiet"});
     EXPECT_EQ(study.exit_code, 0) << study.err;
     for (const std::string raster : {"copied/max_depth.tif", "study/probability_depth_0.5.tif"})
-        expect_words(gis::read_raster_text(path(raster)).metadata["DOUBTS"], {"% of the path is copied DTM cells"});
+        expect_words(gis::read_raster_text(path(raster)).metadata["DOUBTS"], {"% of the path is copied cells"});
     for (const std::string result : {"copied", "study"}) {
         const Json summary = parse_json(read_text(path(result + "/summary.json")));
-        expect_words(summary["warning_words"].dump(), {"% of the path is copied DTM cells"});
-        expect_words(summary["warnings"].dump(), {"blocks of 3 x 3 equal cells"});
+        expect_words(summary["warning_values"].dump(), {"% of the path is copied cells"});
+        expect_words(summary["warnings"].dump(), {"copied cells (3 x 3)"});
     }
     EXPECT_FALSE(gis::read_raster_text(path("right/max_depth.tif")).metadata.contains("DOUBTS"));
-    expect_words(read_text(path("copied/log.txt")), {"WARNING: DTM bed.asc: ", "blocks of 3 x 3 equal cells"});
+    expect_words(read_text(path("copied/log.txt")), {"WARNING: DTM bed.asc: ", "copied cells (3 x 3)"});
     // Cells as large as the blocks are the original again.
     EXPECT_EQ(doubts({"terrain.cell-size=30"}), "");
     expect_words(doubts({"terrain.dtm=coarse.asc", "terrain.cell-size=10", "terrain.resampling=nearest"}),
-                 {"blocks of 3 x 3 equal cells", "terrain.resampling = bilinear"});
+                 {"copied cells (3 x 3)", "terrain.resampling = bilinear"});
 }
 
 TEST_F(GroundDoubts, CopiedCellsOfOtherFactorsAreTold) {
-    for (const auto& [coarse, words] : {std::pair{20.0, "blocks of 2 x 2"},
-                                        {12.5, "equal cells"},
-                                        {15.0, "blocks of 1.5 x 1.5"},
-                                        {33.0, "blocks of 3.3 x 3.3"},
-                                        {90.0, "blocks of 9 x 9"}}) {
+    for (const auto& [coarse, words] : {std::pair{20.0, "cells (2 x 2)"},
+                                        {12.5, "copied cells"},
+                                        {15.0, "cells (1.5 x 1.5)"},
+                                        {33.0, "cells (3.3 x 3.3)"},
+                                        {90.0, "cells (9 x 9)"}}) {
         write_grid("bed", 10, copied(coarse, waves));
         expect_words(doubts(), {words});
     }
@@ -163,13 +163,13 @@ TEST_F(GroundDoubts, CopiedCellsAreToldThoughTheyWereInterpolatedOrHaveNoise) {
                v * ((1 - u) * blocks(west, south + 10) + u * blocks(west + 10, south + 10));
     };
     write_grid("bed", 5, bilinear);
-    expect_words(doubts(), {"DTM bed.asc: steps every 6 cells", "Take the original"});
+    expect_words(doubts(), {"DTM bed.asc: ", "copied cells, interpolated"});
     std::mt19937 generator(1);
     std::normal_distribution<double> chance(0, 1);
     for (const double noise : {0.01, 0.05}) {
         write_grid("bed", 10, [&](double x, double y) { return blocks(x, y) + noise * chance(generator); });
         const std::string told = doubts();
-        expect_words(told, {"DTM bed.asc: steps every 3 cells"});
+        expect_words(told, {"copied cells, interpolated"});
         EXPECT_EQ(told.find("Trees"), std::string::npos) << told;
     }
 }

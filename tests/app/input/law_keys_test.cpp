@@ -31,8 +31,6 @@ const std::map<std::string, std::pair<std::string, std::string>> k_values{
     {"material.cohesion", {"500", "1000"}},
     {"material.ramms-yield-stress", {"500", "1000"}},
     {"material.yield-stress", {"500", "1000"}},
-    {"material.yield-ratio", {"exact", "quadratic"}},
-    {"material.yield-regularisation", {"0.01", "1"}},
     {"material.viscosity", {"50", "200"}},
     {"material.consistency", {"50", "200"}},
     {"material.flow-index", {"0.5", "0.8"}},
@@ -50,7 +48,6 @@ const std::map<std::string, std::pair<std::string, std::string>> k_values{
     {"entrainment.growth-rate", {"0.001", "0.003"}},
     {"entrainment.bed-cohesion", {"0", "500"}},
     {"entrainment.bed-pore-pressure-ratio", {"0.1", "0.3"}},
-    {"entrainment.velocity-ratio", {"0.8", "1.2"}},
     {"entrainment.bed-friction-angle", {"10", "14"}},
     {"entrainment.deposition-rate", {"0.02", "0.05"}},
     {"entrainment.deposition-shear-stress", {"20000", "40000"}}};
@@ -84,14 +81,10 @@ Sets scene_with(const Law& law, const std::string& key) {
         {"material.compressibility", {"material.solid-fraction=0.5", "material.critical-solid-fraction=0.51"}},
         {"material.solid-fraction", {"material.compressibility=1e-4", "material.critical-solid-fraction=0.51"}},
         {"material.critical-solid-fraction", {"material.compressibility=1e-4", "material.solid-fraction=0.5"}},
-        {"material.yield-ratio", {"material.yield-stress=1000"}},
-        {"material.yield-regularisation", {"material.yield-stress=1000"}},
         {"material.laminar-resistance", {"material.viscosity=200"}},
         {"entrainment.critical-shear-stress", {"entrainment.erosion-depth-per-stress=0.005"}}};
     if (const auto with = k_with.find(key); with != k_with.end())
         sets.insert(sets.end(), with->second.begin(), with->second.end());
-    if (law.kind == LawKind::in_plane_stress && key == "material.yield-ratio")
-        sets.emplace_back("material.viscosity=50");
     return sets;
 }
 

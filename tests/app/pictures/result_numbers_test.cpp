@@ -24,8 +24,7 @@ TEST(RunEnd, TellsAFrontThatMovesFromADepositThatCreeps) {
     // A seventh of the volume that moves behind a front at rest pushed it on 80 s later (S-1000, end = 120 and 200 s).
     EXPECT_TRUE(run_end(at_end, 120, 2, 0.17, true).is_cut_short);
     // Whatever else stops a run stops a flow that moves as time.end does.
-    for (const StopReason other : {StopReason::momentum, StopReason::energy, StopReason::moving_volume,
-                                   StopReason::requested, StopReason::settled})
+    for (const StopReason other : {StopReason::momentum, StopReason::requested, StopReason::settled})
         EXPECT_TRUE(run_end(describe(other), 60, 3, 0.7, false).is_cut_short) << describe(other);
     for (const StopReason rest : {StopReason::still, StopReason::all_left})
         EXPECT_FALSE(run_end(describe(rest), 60, 3, 0.7, false).is_cut_short) << describe(rest);
@@ -53,19 +52,24 @@ TEST(ScenarioWords, TellTurbulenceThatIsOffFromTurbulenceByPlace) {
         << scenario_words(facts, {});
 }
 
-// What a page in another language is made of goes through summary.json unchanged.
+// What a page in another language is made of goes through summary.json unchanged, with its place and how far it
+// matters.
 TEST(Warnings, ComeBackFromASummaryInAnyLanguage) {
-    const std::vector<Sentence> warnings{
-        worded("{1} m3 left the computed ground ({2} % of all volume that came in): the map does not show its full "
-               "run-out; use a larger DTM or terrain.bounds",
-               {numeral("1 234.5"), numeral("12")}),
+    const Warnings warnings{
+        {worded("{1} m3 ({2} %) left the computed ground: use a larger DTM", {numeral("1 234.5"), numeral("12")}), true,
+         Point{600000, 5000000}},
         worded("{1}: not before the end of the run",
                {worded("release area {1} '{2}'", {std::string("2"), std::string("Süd\"")})}),
-        worded("without values"), std::string("a text of another program")};
-    const Json summary{{"warning_words", json_of(warnings)}};
-    EXPECT_EQ(warnings_in(Json::parse(summary.dump())), warnings);
+        worded("without values"),
+        std::string("a text of another program")};
+    const Json summary{{"warning_values", json_of(warnings)}};
+    const Warnings back = warnings_in(Json::parse(summary.dump()));
+    EXPECT_EQ(back, warnings);
+    EXPECT_EQ(limits_of_use(back).size(), 1U);
+    EXPECT_EQ(back[0].place.value_or(Point{}).x, 600000);
+    EXPECT_FALSE(back[1].place);
     EXPECT_TRUE(warnings_in(Json::object()).empty());
-    EXPECT_TRUE(warnings_in(Json::parse("{\"warning_words\": [1, {}, [], [[2]]]}")).front().text().empty());
+    EXPECT_TRUE(warnings_in(Json::parse("{\"warning_values\": [1, {}, [], [[2]]]}")).front().words.text().empty());
     const Words german(Language::german);
     EXPECT_EQ(warning_line({}, german), "");
     EXPECT_EQ(warning_line({warnings[3]}, german), "Warnung: a text of another program");

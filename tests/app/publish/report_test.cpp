@@ -45,7 +45,7 @@ TEST_F(Report, ContainsEverythingInOneFile) {
     EXPECT_EQ(count_of(page, "url("), 0U);
     EXPECT_NE(page.find("@media print"), std::string::npos);
     for (const std::string words : {"EPSG:32632", "dtm.asc", "perimeter.geojson", "scar.geojson", "Mass budget",
-                                    "still moving", "Jaccard index", "High intensity", "Depths clamped"})
+                                    "still moves", "Jaccard index", "High intensity", "Depths clamped"})
         EXPECT_NE(page.find(words), std::string::npos) << words;
     EXPECT_NE(page.find("alt=\"Map. Maximum depth: at most "), std::string::npos);
 }
@@ -73,15 +73,24 @@ TEST_F(Report, HasTheAnswerFirstAndOnlyTheKeysUsed) {
                         "file</td>"),
               std::string::npos);
     EXPECT_NE(used.find("<tr><td>material.density</td><td>2000 [kg/m³]</td><td>default</td>"), std::string::npos);
-    EXPECT_NE(used.find("<td>numerics.gravity</td>"), std::string::npos);
+    EXPECT_NE(used.find("<td>numerics.minimum-depth</td>"), std::string::npos);
     for (const std::string key : {"structured.young-modulus", "material.chezy", "entrainment.growth-rate",
                                   "zones.beyond-dtm", "output.map-legend", "output.depth-thresholds"})
         EXPECT_EQ(used.find("<td>" + key + "</td>"), std::string::npos) << key;
     // Sentences, with the origin of the friction.
-    EXPECT_NE(page.find("friction angle 15° (μ = 0.268) (scene file)"), std::string::npos);
-    EXPECT_NE(page.find("density 2000\u00A0kg/m³ (default)"), std::string::npos);
-    EXPECT_NE(page.find("there is no estimate of the error"), std::string::npos);
-    EXPECT_NE(page.find("Not compared with an observed outline"), std::string::npos);
+    EXPECT_NE(page.find("<td>friction angle</td><td>15° (μ = 0.268)</td><td>scene file</td>"), std::string::npos);
+    EXPECT_NE(page.find("<td>density</td><td>2000 kg/m³</td><td>default</td>"), std::string::npos);
+    // The four answers come first, each with its unit and where it is.
+    std::size_t answer = page.find("<h2 id=\"answer\"");
+    for (const std::string question : {"How far", "How deep", "How fast", "How sure"}) {
+        const std::size_t row = page.find("<td>" + question + "</td>", answer);
+        ASSERT_NE(row, std::string::npos) << question;
+        const std::string cells = page.substr(row, page.find("</tr>", row) - row);
+        EXPECT_NE(cells.find(question == "How sure" ? "Cells of 5 m" : "E "), std::string::npos) << cells;
+        EXPECT_NE(cells.find("no estimate"), std::string::npos) << cells;
+        answer = row;
+    }
+    EXPECT_LT(answer, page.find("<img "));
 }
 
 // A value has the estimate that there is, and says so where there is none.
@@ -101,7 +110,7 @@ TEST_F(Report, HasTheEstimateOfTheError) {
     const std::size_t cell = page.find(text, row);
     ASSERT_NE(cell, std::string::npos) << text;
     EXPECT_LT(cell, page.find("</tr>", row));
-    EXPECT_NE(page.find("the error from their size is estimated"), std::string::npos);
+    EXPECT_NE(page.find("see ±"), std::string::npos);
 }
 
 // A result that is there already gets the estimate when it is made; its other parts stay.
@@ -109,16 +118,15 @@ TEST_F(Report, GetsTheEstimateOfALaterConvergenceStudy) {
     write_scene("[output]\ndirectory = there\nlanguage = de\n" + k_numbers_only.substr(k_numbers_only.find('\n') + 1));
     ASSERT_EQ(frana({"run", "scene.ini", "--quiet"}).exit_code, 0);
     const std::string before = page_of("there");
-    EXPECT_NE(before.find("Fehler durch ihre Größe ist nicht geschätzt"), std::string::npos);
+    EXPECT_EQ(before.find("siehe ±"), std::string::npos);
     const Outcome outcome = frana({"converge", "scene.ini"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("there/report.html shows these errors"), std::string::npos) << outcome.err;
     const std::string page = page_of("there");
     expect_well_formed(page);
-    EXPECT_EQ(page.find("ist nicht geschätzt"), std::string::npos);
-    EXPECT_NE(page.find("Fehler durch ihre Größe ist geschätzt"), std::string::npos);
+    EXPECT_NE(page.find("siehe ±"), std::string::npos);
     EXPECT_GE(count_of(page, "<td class=\"soft\">± "), 4U);
-    EXPECT_EQ(before.substr(before.find("id=\"maps\"")), page.substr(page.find("id=\"maps\"")));
+    EXPECT_EQ(before.substr(before.find("id=\"warnings\"")), page.substr(page.find("id=\"warnings\"")));
     ASSERT_EQ(frana({"run", "scene.ini", "--quiet", "--overwrite"}).exit_code, 0);
     EXPECT_EQ(count_of(page_of("there"), "<td class=\"soft\">± "), count_of(page, "<td class=\"soft\">± "));
     // Of another scene than the result's nothing is written into it.
@@ -147,8 +155,7 @@ TEST_F(Report, HasItsWarningsInItsLanguage) {
     EXPECT_EQ(count_of(list, "<p class=\"warning\">"), summary.at("warnings").size());
     for (const std::string english : {" the ", " is ", " of ", " its ", " and ", " than "})
         EXPECT_EQ(list.find(english), std::string::npos) << english << list;
-    EXPECT_NE(list.find("Profondità finale e distanza di propagazione non sono quelle del deposito"), std::string::npos)
-        << list;
+    EXPECT_NE(list.find("il flusso si muove ancora quando time.end termina il calcolo"), std::string::npos) << list;
 }
 
 // Gauges side by side are told apart without colours: no two curves of a chart have the same stroke and marker.
@@ -179,7 +186,7 @@ TEST_F(Report, DrawsCurvesThatDifferWithoutColour) {
         }
     }
     EXPECT_EQ(charts, 2U) << "ten gauges in two charts";
-    EXPECT_NE(page.find("First arrival at gauges:"), std::string::npos);
+    EXPECT_NE(page.find("First arrival [s]"), std::string::npos);
     EXPECT_NE(page.find("<td>g9</td>"), std::string::npos);
 }
 
@@ -223,8 +230,9 @@ TEST_F(Report, IsRenewedByCompare) {
     expect_well_formed(after);
     EXPECT_EQ(count_of(after, "<h2 id=\"comparison\""), 1U);
     EXPECT_EQ(count_of(after, "src=\"data:image/"), count_of(before, "src=\"data:image/") + 1);
-    EXPECT_EQ(after.find("Not compared"), std::string::npos);
-    EXPECT_NE(after.find("Of the observed area "), std::string::npos);
+    const std::string score = "<td>Jaccard index";
+    EXPECT_EQ(count_of(before, score), 0U);
+    EXPECT_EQ(count_of(after, score), 2U) << "on the first page, and in the section";
     EXPECT_TRUE(app::changed_files(report).empty()) << "the manifest has the new page";
     // The same run with the survey in its scene says the same.
     write("with.ini", read_text(path("scene.ini")) + "[observed]\nperimeter = scar.geojson\n");
@@ -303,17 +311,17 @@ TEST_F(Report, PicturesHaveTheirScaleAndLegibleLettersOnPaper) {
 TEST_F(Report, SpeaksTheLanguageOfTheScene) {
     write_scar();
     for (const auto& [language, words] : std::vector<std::pair<std::string, std::vector<std::string>>>{
-             {"it", {"Scenario e risposta", "angolo di attrito 15°", "Rispetto al rilievo."}},
-             {"de", {"Szenario und Antwort", "Reibungswinkel 15°", "Gegen die Aufnahme."}},
-             {"fr", {"Scénario et réponse", "angle de frottement 15°", "Par rapport au relevé."}},
-             {"es", {"Escenario y respuesta", "ángulo de fricción 15°", "Frente al levantamiento."}}}) {
+             {"it", {"Risposta", "<td>angolo di attrito</td><td>15°", "Confronto con il rilievo"}},
+             {"de", {"Antwort", "<td>Reibungswinkel</td><td>15°", "Vergleich mit der Kartierung"}},
+             {"fr", {"Réponse", "<td>angle de frottement</td><td>15°", "Comparaison avec le levé"}},
+             {"es", {"Respuesta", "<td>ángulo de fricción</td><td>15°", "Comparación con el levantamiento"}}}) {
         write_scene(k_numbers_only + "language = " + language + "\n[observed]\nperimeter = scar.geojson\n");
         ASSERT_EQ(frana({"run", "scene.ini", "--out", language, "--quiet"}).exit_code, 0);
         const std::string page = page_of(language);
         expect_well_formed(page);
         EXPECT_NE(page.find("<html lang=\"" + language + "\">"), std::string::npos);
         for (const std::string& word : words) EXPECT_NE(page.find(word), std::string::npos) << word;
-        EXPECT_EQ(page.find("What fails."), std::string::npos);
+        EXPECT_EQ(page.find("How far"), std::string::npos);
         EXPECT_EQ(page.find("Keys used"), std::string::npos);
         // Meanings and effects of keys, units, terms of the run, input files.
         for (const char* english : {"Used by", "required", "Cell size of", ">degrees<", "hydrostatic pressure",
@@ -332,7 +340,7 @@ TEST_F(Report, SpeaksTheLanguageOfTheScene) {
         ASSERT_EQ(frana({"compare", language, "--observed", "scar.geojson", "--size", "640x480"}).exit_code, 0);
         expect_decimal_commas();
         EXPECT_NE(page_of(language).find(words[2]), std::string::npos);
-        EXPECT_EQ(page_of(language).find("Of the observed area"), std::string::npos);
+        EXPECT_EQ(page_of(language).find("Jaccard index (critical"), std::string::npos);
     }
 }
 

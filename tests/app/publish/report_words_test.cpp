@@ -18,7 +18,7 @@ namespace {
 const Words k_german(Language::german), k_french(Language::french);
 
 TEST(ReportWords, TermsArePutIntoTheLanguagePartByPart) {
-    EXPECT_EQ(term_in("Bingham bed resistance, exact", k_german), "Bingham-Widerstand an der Sohle, exakt");
+    EXPECT_EQ(term_in("Bingham bed resistance", k_german), "Bingham-Widerstand an der Sohle");
     EXPECT_EQ(term_in("quadratic B-splines, APIC", k_german), "quadratische B-Splines, APIC");
     EXPECT_EQ(term_in("friction by zones", k_french), "coefficient de frottement par zones");
     EXPECT_EQ(term_in("friction by zones", Words()), "friction coefficient by zones");
@@ -39,14 +39,16 @@ AccuracyRecord record(double finest) {
     return all;
 }
 
-TEST(WarnOfResult, WhatLimitsTheUseOfAMapStandsOnIt) {
-    const auto prepared = std::make_unique<const Prepared>();
-    RunResult result;
-    result.warnings = {{worded("it was cut"), true}, {worded("a number of the computation"), false}};
+TEST(WarningsOfAResult, AreToldOnceAndLimitTheUseOfMaps) {
+    const Warnings all{{worded("it was cut"), true}, {worded("a number of the computation")}};
+    EXPECT_EQ(texts_of(limits_of_use(all)), std::vector<std::string>{"it was cut"});
+    EXPECT_EQ(texts_of(without(all, {worded("it was cut")})), std::vector<std::string>{"a number of the computation"});
     RunLog log(true);
-    warn_of_result(*prepared, result, log);
-    EXPECT_EQ(texts_of(log.warnings()), (std::vector<std::string>{"it was cut", "a number of the computation"}));
-    EXPECT_EQ(texts_of(sentences_of(result.warnings, WarningsOn::maps)), std::vector<std::string>{"it was cut"});
+    log.warn(all[0]);
+    log.tell({all[1]});  // known to the result already
+    EXPECT_EQ(texts_of(log.take_warnings()), std::vector<std::string>{"it was cut"});
+    EXPECT_TRUE(log.take_warnings().empty());
+    EXPECT_NE(log.text().find("WARNING: a number of the computation"), std::string::npos);
 }
 
 TEST(ReportWords, TheVerdictOnAccuracyIsInTheLanguage) {

@@ -41,8 +41,7 @@ TEST_F(ThinFlow, ReleasedInPartIsAWarningOfCheckAndRun) {
                                         "release.thickness=attribute:depth"};
     std::vector<std::string> check{"check", "scene.ini"}, run{"run", "scene.ini", "--out", "result"};
     for (auto* words : {&check, &run}) words->insert(words->end(), more.begin(), more.end());
-    const std::string told =
-        "% of the release is thinner than numerics.minimum-depth = 0.01 m: maps and results do not include it";
+    const std::string told = "% of release thinner than numerics.minimum-depth = 0.01 m: lower it";
     for (const auto& words : {check, run}) {
         const Outcome outcome = frana(words);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -54,8 +53,8 @@ TEST_F(ThinFlow, ReleasedInPartIsAWarningOfCheckAndRun) {
 
 TEST_F(ThinFlow, ThatOutlinesDoNotShowIsAWarningOfCheckAndRun) {
     write_scene(k_numbers_only);
-    const std::string released = "100 % of the release is thinner than output.trace-threshold = 0.1 m",
-                      flowed = "the flow was nowhere deeper than output.trace-threshold = 0.1 m, but 0.0";
+    const std::string released = "100 % of release thinner than output.trace-threshold = 0.1 m",
+                      flowed = "flow nowhere deeper than output.trace-threshold = 0.1 m (0.0";
     const auto call = [&](std::vector<std::string> words, const std::string& threshold) {
         for (const std::string& set :
              {std::string("release.thickness=0.05"), std::string("numerics.minimum-depth=0.0005"), threshold})
@@ -82,7 +81,7 @@ TEST_F(ThinFlow, DuringTheRunIsAWarning) {
     const Outcome outcome =
         frana({"run", "scene.ini", "--out", "result", "--set", "release.thickness=0.02", "--set", "time.end=30"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find("of the flow was thinner than numerics.minimum-depth = 0.01 m"), std::string::npos)
+    EXPECT_NE(outcome.err.find("% of flow thinner than numerics.minimum-depth = 0.01 m"), std::string::npos)
         << outcome.err;
     EXPECT_GT(json_number(read_text(path("result/summary.json")), "greatest_thin_fraction"), 0.1);
     const Outcome usual = frana({"run", "scene.ini", "--out", "usual"});

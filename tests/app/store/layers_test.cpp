@@ -66,6 +66,7 @@ TEST(Layers, ClassesOfEveryQuantityAreFixedUnlessTheSceneChoosesOthers) {
 TEST(Layers, TheDocumentListsEveryKeyOfClassesWithItsBounds) {
     const std::vector<std::string> lines = lines_of_file(FRANA_SOURCE_DIR "/share/doc/maps.md");
     for (const QuantityClasses& row : quantity_classes()) {
+        if (row.words.empty()) continue;
         std::string bounds;
         for (const double bound : row.bounds) bounds += (bounds.empty() ? "" : ", ") + shortest_text(bound);
         EXPECT_TRUE(std::any_of(lines.begin(), lines.end(),

@@ -219,9 +219,9 @@ TEST_F(Place, AnOlderResultThatCannotBeRemovedIsReported) {
         if (!nobody.is()) GTEST_SKIP() << "only root can change the user";
         app::remove_partial(path("result"), log);
     }
-    ASSERT_EQ(log.warnings().size(), 1U);
-    EXPECT_NE(log.warnings()[0].text().find("what is left of it is in " + path("result.partial")), std::string::npos)
-        << log.warnings()[0].text();
+    const std::vector<std::string> told = texts_of(log.take_warnings());
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_NE(told[0].find("what is left of it is in " + path("result.partial")), std::string::npos) << told[0];
     for (const char* name : {"frames/depth_0000.tif", "manifest.json", "being_replaced.json"})
         EXPECT_TRUE(fs::exists(path(std::string("result.partial/") + name))) << name;
     app::remove_partial(path("result"), log);

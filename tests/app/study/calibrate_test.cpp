@@ -165,7 +165,7 @@ TEST_F(Calibrate, CheckWarnsOfTheReleaseAsThatOfTheSceneDoes) {
     write_study("samples = 4\n", k_jaccard + k_two_keys, "[set]\nrelease.thickness = 90\n");
     const Outcome check = frana({"check", "study.ini"});
     EXPECT_EQ(check.exit_code, 0) << check.err;
-    for (const char* part : {"m above the cell beside it", "m thick on average"})
+    for (const char* part : {"release step of", "m thick on average"})
         EXPECT_NE(check.err.find(part), std::string::npos) << check.err;
 }
 

@@ -29,7 +29,7 @@ TEST_F(Ensemble, WhateverStopsARunThatMovesIsTold) {
     }
     // Nor has all settled that a loose limit calls so.
     EXPECT_EQ(frana({"run", "scene.ini", "--out", "loose", "--strict", "--set", "time.stop-change=0.5", "--set",
-                     "time.stop-window=0.05", "--set", "time.end=300"})
+                     "time.end=300"})
                   .exit_code,
               3);
     EXPECT_NE(read_text(path("loose/log.txt")).find("still moves when time.stop-change ends the run"),

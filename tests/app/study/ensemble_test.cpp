@@ -293,7 +293,7 @@ TEST_F(Ensemble, CheckWarnsOfTheReleaseAsThatOfTheSceneDoes) {
     write_study("samples = 4\n", "[set]\nrelease.thickness = 90\n" + k_two_keys);
     const Outcome check = frana({"check", "study.ini"});
     EXPECT_EQ(check.exit_code, 0) << check.err;
-    for (const char* part : {"m above the cell beside it", "m thick on average"})
+    for (const char* part : {"release step of", "m thick on average"})
         EXPECT_NE(check.err.find(part), std::string::npos) << check.err;
 }
 
@@ -303,7 +303,7 @@ TEST_F(Ensemble, AReleaseThinnerThanTheTraceIsAWarningOfItsRuns) {
     const Outcome outcome = run();
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(parse_json(read_text(path("out/summary.json")))["warnings"].dump().find(
-                  "of the release is thinner than output.trace-threshold = 9 m"),
+                  "of release thinner than output.trace-threshold = 9 m"),
               std::string::npos);
 }
 

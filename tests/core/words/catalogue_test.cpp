@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -110,6 +111,19 @@ TEST(Catalogues, HaveTheTextsOfTheProgramAndNoOthers) {
         for (const std::string& text : shown)
             EXPECT_EQ(texts.count(text), 1U) << language.code << ".po lacks, or has as fuzzy, \"" << text << '"';
     }
+}
+
+// Lower them when texts went; a table says more than sentences. Meanings of keys and notes on materials are not counted
+// as sentences.
+TEST(Catalogues, TextsAreFewAndShort) {
+    constexpr std::size_t k_texts = 1280, k_long = 114, k_words = 12;
+    EXPECT_LE(shown_texts().size(), k_texts);
+    const std::string bytes = catalogue_of_sources();
+    const std::set<std::string> sentences = english_texts(Catalogue(bytes));
+    const auto is_long = [](const std::string& text) {
+        return static_cast<std::size_t>(std::count(text.begin(), text.end(), ' ')) >= k_words;
+    };
+    EXPECT_LE(static_cast<std::size_t>(std::count_if(sentences.begin(), sentences.end(), is_long)), k_long);
 }
 
 TEST(Catalogues, AreThoseOfTheLanguages) {

@@ -168,7 +168,7 @@ TEST(Coupling, ExchangesMomentumUnderGravity) {
         c.material.bed_friction = 0;  // which virtual mass sees
         c.laws.fluid.wall = true;
         c.laws.coupling.drags = exchanges;
-        if (!exchanges) c.laws.coupling.virtual_mass.law = VirtualMassLaw::none;
+        if (!exchanges) c.laws.coupling.virtual_mass.acts = false;
         c.fill(4, 4, 30, 30, [](Point p) { return bench::Seed{3 + 0.1 * p.x, std::sin(p.x), std::cos(p.y)}; });
         const Raster bed =
             bench::sample_raster(bench::plain_grid(20, 20, 2), [](Point p) { return 0.4 * p.x + std::sin(0.3 * p.y); });
@@ -192,11 +192,13 @@ TEST(Coupling, ExchangesMomentumUnderGravity) {
             p[Field::u][i] += dt * p[Field::push_x][i];
             p[Field::v][i] += dt * p[Field::push_y][i];
         }
-        return std::pair{budget(state), p[Field::u][p.size() / 2]};
+        return std::pair{budget(state), std::vector<double>(p[Field::u], p[Field::u] + p.size())};
     };
     const auto [with, u_with] = run(true);
     const auto [without, u_without] = run(false);
-    EXPECT_GT(std::abs(u_with - u_without), 0.01);
+    double moved = 0;
+    for (std::size_t i = 0; i < u_with.size(); ++i) moved = std::max(moved, std::abs(u_with[i] - u_without[i]));
+    EXPECT_GT(moved, 0.01);
     EXPECT_NEAR(with.px, without.px, 1e-12 * with.size);
     EXPECT_NEAR(with.py, without.py, 1e-12 * with.size);
 }
@@ -335,12 +337,12 @@ TEST(Coupling, AFilmDoesNotLiftAHeap) {
 TEST(Coupling, SteadyStreamOverRestingSolidsWithDrag) {
     ThreadPool pool(1);
     constexpr double manning = 0.05, slope = 0.1, depth = 1;
-    const auto speed_after = [&](VirtualMassLaw law, double start, int steps) {
+    const auto speed_after = [&](bool acts, double start, int steps) {
         Case c(2);
         c.material.solid_fraction = 0.5;
         c.material.grain_density = 2400;
         c.material.bed_friction = 2;
-        c.laws.coupling.virtual_mass.law = law;
+        c.laws.coupling.virtual_mass.acts = acts;
         c.laws.coupling.drag.smoothing_velocity = 1;
         c.laws.coupling.drag.fluid.gravity = 9.81;
         c.laws.solid.elastic = Elasticity::from_young_and_bulk(1e6, 1e6 / 1.5);
@@ -357,10 +359,9 @@ TEST(Coupling, SteadyStreamOverRestingSolidsWithDrag) {
         EXPECT_EQ(state.solid->particles[Field::u][0], 0);
         return state.fluid->now.qx[middle] / state.fluid->now.depth[middle];
     };
-    const double alone = speed_after(VirtualMassLaw::none, 1.9, 500);
+    const double alone = speed_after(false, 1.9, 500);
     EXPECT_LT(alone, 4);  // Manning alone: 6.3 m/s
-    for (const VirtualMassLaw law : {VirtualMassLaw::pudasaini_2012, VirtualMassLaw::pudasaini_2019})
-        EXPECT_NEAR(speed_after(law, alone, 300), alone, 0.01 * alone);
+    EXPECT_NEAR(speed_after(true, alone, 300), alone, 0.01 * alone);
 }
 
 // What becomes free in a step keeps its momentum, and the push that the nodes gave for both.
@@ -401,7 +402,7 @@ TEST(Coupling, DragRelaxes) {
         c.material.grain_density = 2400;
         c.laws.solid.gravity = 0;
         c.laws.fluid.wall = true;
-        c.laws.coupling.virtual_mass.law = VirtualMassLaw::none;
+        c.laws.coupling.virtual_mass.acts = false;
         c.laws.coupling.drag.exponent = exponent;
         c.laws.coupling.drag.smoothing_velocity = 10;
         c.fill(0, 0, 60, 60, [](Point) { return bench::Seed{1, 0, 0}; });
@@ -416,7 +417,6 @@ TEST(Coupling, DragRelaxes) {
         Mixture m;
         m.solids = m.coupled = 0.5;
         m.coupled_density = m.grain_density = 2400;
-        m.flux = 1;
         const double lambda = 2 * c.laws.coupling.drag(m) * (1 / 2400.0 + 1 / 1000.0);
         double w = 2;
         for (int i = 0; i < 5; ++i) {

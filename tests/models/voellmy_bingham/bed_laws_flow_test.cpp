@@ -124,14 +124,12 @@ TEST(BedLaws, OBrienJulien) {
     });
 }
 
-TEST(BedLaws, BinghamExactAndQuadratic) {
+TEST(BedLaws, Bingham) {
     Material m = material_of({"bingham"});
     m.yield_stress = 2000;
     m.viscosity = 400;
     const auto a = [](double s) { return 6 * 400 * s / 2000; };
     expect_block(m, [&](double s, double) { return 2000 / (k_density * ExactYieldRatio{}(a(s))); });
-    m.exact_yield_ratio = false;
-    expect_block(m, [&](double s, double) { return 2000 / (k_density * QuadraticYieldRatio{}(a(s))); });
 }
 
 TEST(BedLaws, HerschelBulkley) {

@@ -2,8 +2,6 @@
 #include "params/keys/parameter.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "params/keys/scene_parameters.h"
 #include "scene_fixture.h"
@@ -22,32 +20,27 @@ TEST(FormerNames, AreMappedToKeysAndAreNoKeysThemselves) {
     }
 }
 
-TEST(FormerNames, AreInTheChangelogsTable) {
-    std::ifstream file(FRANA_SOURCE_SHARE "/../CHANGELOG.md");
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    for (const FormerName& name : former_names()) {
-        if (name.stays) continue;
-        EXPECT_NE(text.find("| `" + std::string(name.former) + "` | `" + name.now + "` |"), std::string::npos)
-            << name.former;
-    }
-}
-
 class FormerNamesInScenes : public SceneFixture {};
 
-TEST_F(FormerNamesInScenes, AreReadWithAWarning) {
-    const SceneReading reading = read(k_least + "[time]\nstop-energy-share = 0.1\n", {"time.stop-moving-share=0.2"});
-    EXPECT_TRUE(reading.problems.empty());
-    EXPECT_EQ(reading.scene.time.stop_energy_fraction, 0.1);
-    EXPECT_EQ(reading.scene.time.stop_moving_fraction, 0.2);
-    ASSERT_EQ(reading.warnings.size(), 2U);
-    EXPECT_NE(reading.warnings[0].text().find("time.stop-energy-share is now called time.stop-energy-fraction"),
-              std::string::npos);
-    EXPECT_NE(reading.warnings[1].text().find("--set time.stop-moving-share"), std::string::npos);
+TEST_F(FormerNamesInScenes, BesideThePresentOneAreGivenTwice) {
+    EXPECT_TRUE(has_problem(problems(k_least + "[scar]\nthreshold = 0.1\n[observed]\nthreshold = 0.2\n"),
+                            "observed.threshold", "0.2"));
 }
 
-TEST_F(FormerNamesInScenes, BesideThePresentOneAreGivenTwice) {
-    EXPECT_TRUE(has_problem(problems(k_least + "[time]\nstop-energy-share = 0.1\nstop-energy-fraction = 0.2\n"),
-                            "time.stop-energy-fraction", "0.2"));
+// What went names what to use in its place.
+TEST_F(FormerNamesInScenes, KeysThatWentSayWhatToUse) {
+    for (const auto& [line, remedy] : std::vector<std::pair<std::string, std::string>>{
+             {"[time]\nstop-energy-fraction = 0.1\n", "Use time.stop-momentum"},
+             {"[numerics]\ngravity = 9\n", "9.81 m/s2"},
+             {"[structured]\nvirtual-mass = none\n", "Pudasaini 2012"},
+             {"[material]\nyield-ratio = quadratic\n", "exact"},
+             {"[output]\nclasses-strain = 1\n", "to-maximum"}}) {
+        const std::vector<Problem> all = problems(k_least + line);
+        const auto gone =
+            std::find_if(all.begin(), all.end(), [](const Problem& one) { return one.what == "is no longer a key"; });
+        ASSERT_NE(gone, all.end()) << line;
+        EXPECT_NE(gone->remedy.find(remedy), std::string::npos) << gone->remedy;
+    }
 }
 
 }  // namespace

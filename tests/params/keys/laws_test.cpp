@@ -68,10 +68,7 @@ INSTANTIATE_TEST_SUITE_P(
             "[material]\nbed-friction = coulomb, pouliquen-forterre\nfriction-angle = 20\nfast-friction-angle = 30\n"
             "friction-length = 1\n",
             "material.bed-friction", "coulomb, pouliquen-forterre", "one of them"},
-        LawCase{"yield_ratio_unread", "[material]\nfriction-angle = 20\nyield-ratio = quadratic\n",
-                "material.yield-ratio", "", "", "material.bed-friction = bingham"},
-        LawCase{"a_default_asks_for_nothing",
-                "[material]\nfriction-angle = 20\nyield-ratio = exact\nviscosity = 0\nsurface-pressure = 0\n"},
+        LawCase{"a_default_asks_for_nothing", "[material]\nfriction-angle = 20\nviscosity = 0\nsurface-pressure = 0\n"},
         LawCase{"yield_unread", "[material]\nfriction-angle = 20\nyield-stress = 100\nin-plane-stress = none\n",
                 "material.yield-stress"},
         LawCase{"earth_pressure",

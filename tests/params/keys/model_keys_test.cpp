@@ -41,8 +41,7 @@ TEST_F(ModelKeys, EachModelRefusesTheOthersKeysByName) {
 
 TEST_F(ModelKeys, FluidAloneRefusesKeysOfSolids) {
     EXPECT_TRUE(has_problem(problems(k_fluid + "cohesion = 1e4\n"), "structured.cohesion"));
-    EXPECT_TRUE(no_problem(problems(
-        k_fluid + "manning = 0.03\nfluid-viscosity = 0.001\ndry-depth = 1e-5\nvelocity-profile-factor = 2\n")));
+    EXPECT_TRUE(no_problem(problems(k_fluid + "manning = 0.03\nfluid-viscosity = 0.001\ndry-depth = 1e-5\n")));
 }
 
 TEST_F(ModelKeys, SolidsNeedStrengthAndNeighbours) {
@@ -52,14 +51,12 @@ TEST_F(ModelKeys, SolidsNeedStrengthAndNeighbours) {
     EXPECT_TRUE(has_problem(all, "numerics.particles-per-cell", "4", "9, 16"));
     EXPECT_TRUE(has_problem(problems(k_solids, {"structured.bulk-modulus=1e6"}), "structured.young-modulus",
                             "1.2e+07 Pa", "less than 9 times structured.bulk-modulus, 9e+06 Pa"));
-    EXPECT_TRUE(
-        has_problem(problems(k_solids, {"structured.drag-exponent=1.5"}), "structured.drag-exponent", "1.5", "1, 2"));
 }
 
 TEST_F(ModelKeys, SolidsReadTheirMaterialByPlace) {
     EXPECT_TRUE(no_problem(problems(k_solids, {"structured.zones=lithology.gpkg", "structured.cohesion=attribute:c",
-                                               "structured.solid-fraction=raster:alpha.tif", "structured.placement=r2",
-                                               "release.start=3", "structured.initial-fluid-depth=raster:lake.tif"})));
+                                               "structured.solid-fraction=raster:alpha.tif", "release.start=3",
+                                               "structured.initial-fluid-depth=raster:lake.tif"})));
     EXPECT_TRUE(has_problem(problems(k_solids, {"structured.solid-fraction=1.5"}), "structured.solid-fraction", "1.5"));
     EXPECT_TRUE(no_problem(problems(k_solids, {"release.thickness=phases:solids.tif,fluid.tif"})));
     EXPECT_TRUE(has_problem(problems(k_fluid, {"release.thickness=phases:solids.tif,fluid.tif"}), "release.thickness"));

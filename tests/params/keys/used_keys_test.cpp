@@ -40,7 +40,7 @@ TEST(UsedKeys, FollowTheLaws) {
 
 TEST(UsedKeys, FollowTheModelAndItsSwitches) {
     SceneSpec scene;
-    EXPECT_TRUE(uses(scene, "numerics.gravity"));
+    EXPECT_TRUE(uses(scene, "numerics.minimum-depth"));
     EXPECT_TRUE(uses(scene, "material.density"));
     EXPECT_TRUE(uses(scene, "output.trace-threshold"));
     EXPECT_FALSE(uses(scene, "structured.young-modulus"));

@@ -82,7 +82,7 @@ TEST(Reference, TheJsonFormMarksTheTwentyMainKeys) {
 
 TEST(Reference, TheJsonFormNamesKeysInALanguageAndPlacesTenInADialogue) {
     std::set<std::size_t> places;
-    int translated = 0;
+    int translated = 0, titled = 0;
     const Json german = Json::parse(reference_json(Language::german));
     for (const Json& key : german) {
         EXPECT_FALSE(key.at("title").get<std::string>().empty()) << key["name"];
@@ -94,11 +94,15 @@ TEST(Reference, TheJsonFormNamesKeysInALanguageAndPlacesTenInADialogue) {
             EXPECT_EQ(key["section_title"], "Anrissgebiet");
             EXPECT_TRUE(key.at("required").get<bool>());
         }
-        translated += key["title"] != title_of(*find_parameter(scene_parameters(), key["name"])) ? 1 : 0;
+        const Parameter& own = *find_parameter(scene_parameters(), key["name"]);
+        if (title_of(own) == own.key) continue;  // shown by its name
+        ++titled;
+        translated += key["title"] != title_of(own) ? 1 : 0;
     }
     EXPECT_EQ(places.size(), 10U);
     EXPECT_EQ(*places.rbegin(), 9U) << "each row of the table is a key";
-    EXPECT_GT(translated, static_cast<int>(german.size()) * 9 / 10);
+    EXPECT_GE(titled, 40);
+    EXPECT_GT(translated, titled * 9 / 10);
 }
 
 TEST(Reference, TheDocumentInShareIsWhatTheProgramPrints) {

@@ -18,7 +18,7 @@ TEST_F(WriteScene, ReadingItBackGivesTheSameScene) {
         "preset = bindo\nfriction-coefficient = 0.1\nturbulence = off\n[numerics]\nwell-balanced = off\ncfl "
         "= 0.3\n"
         "[output]\nmaps = max_depth, max_depth_3d\n[scar]\nperimeter = s.shp\nthreshold = 0.7\n",
-        {"numerics.gravity=9.80665"});
+        {"numerics.minimum-depth=0.0123"});
     ASSERT_TRUE(first.problems.empty()) << describe(first.problems.list().front());
     const std::string path = write(scene_text(first.scene, {{"terrain.crs", "EPSG:32632"}}), "echo.ini");
     const SceneReading again = read_scene(path, {}, FRANA_SOURCE_SHARE);
@@ -33,7 +33,7 @@ TEST_F(WriteScene, NamesTheSourceOfEachValue) {
     EXPECT_NE(text.find("[degrees] From: scene file\nfriction-angle = 20\n"), std::string::npos);
     EXPECT_NE(text.find("[m/s2] From: preset\nturbulence = 200\n"), std::string::npos);
     EXPECT_NE(text.find("[s] From: command line\nend = 9\n"), std::string::npos);
-    EXPECT_NE(text.find("[m/s2] From: default\ngravity = 9.81\n"), std::string::npos);
+    EXPECT_NE(text.find("[m] From: default\nminimum-depth = 0.01\n"), std::string::npos);
     EXPECT_NE(text.find("[m] From: default; used: 5\n# cell-size = (the DTM's own)\n"), std::string::npos);
     // The preset's coefficient was replaced by the scene's angle: one of the two, never both.
     EXPECT_EQ(text.find("\nfriction-coefficient = "), std::string::npos);

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "app/process/terminal.h"
-#include "app/publish/publish.h"
 #include "app/study/plan/region_input.h"
 #include "app/study/plan/study_input.h"
 #include "app/text/number_text.h"
@@ -92,15 +91,14 @@ std::optional<MemberRecord> run_member(const StudyInput& input, const MemberTask
         extras.pressure = extras.pressure || input.reading.study.region || input.base.extra.exposure;
         extras.deposit = input.kept_deposit;
         MemberRecord record = record_of(task.member, result, scene, input.base.spec.output.trace_threshold, extras);
-        warn_without_pages(prepared, result, log);
-        record.end.warnings = log.warnings();
+        record.end.warnings = result.warnings;
         record.key_values = values_text(task.overrides);
         return record;
     } catch (const Error& error) {
         if (error.kind() == ErrorKind::environment) throw;
         MemberRecord record = empty_record(task.member, input.base.scene.grid);
         record.failure = describe(error.problems().front());
-        record.end.warnings = log.warnings();
+        record.end.warnings = log.take_warnings();
         record.key_values = values_text(task.overrides);
         return record;
     }

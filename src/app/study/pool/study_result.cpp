@@ -45,7 +45,7 @@ Troubles troubles_of(const std::vector<RunOfStudy>& runs, bool each_counts) {
         all.failed += run.failure.empty() ? 0 : 1;
         all.warned += run.end.warnings.empty() ? 0 : 1;
         all.flew += std::any_of(run.end.warnings.begin(), run.end.warnings.end(),
-                                [](const Sentence& warning) { return warning.pattern() == k_flights_warning; });
+                                [](const Warning& warning) { return warning.words.pattern() == k_flights_warning; });
         all.held += run.failure.empty() && run.end.is_held ? 1 : 0;
         all.open += run.failure.empty() && run.end.is_open() ? 1 : 0;
         if (run.end.is_cut) {
@@ -60,26 +60,26 @@ Troubles troubles_of(const std::vector<RunOfStudy>& runs, bool each_counts) {
     return all;
 }
 
-std::vector<Sentence> kinds_of_warnings(const std::vector<RunOfStudy>& runs, const std::vector<Sentence>& known) {
+Warnings kinds_of_warnings(const std::vector<RunOfStudy>& runs, const Warnings& known) {
     std::vector<std::string> order;
     std::map<std::string, KindOfWarning> kinds;
     for (const RunOfStudy& run : runs) {
         std::set<std::string> told;
-        for (const Sentence& warning : run.end.warnings) {
-            if (std::find(known.begin(), known.end(), warning) != known.end()) continue;
-            const auto [at, is_new] = kinds.try_emplace(warning.pattern());
-            if (is_new) order.push_back(warning.pattern());
+        for (const Warning& warning : without(run.end.warnings, known)) {
+            const std::string& pattern = warning.words.pattern();
+            const auto [at, is_new] = kinds.try_emplace(pattern);
+            if (is_new) order.push_back(pattern);
             KindOfWarning& kind = at->second;
-            kind.runs += told.insert(warning.pattern()).second ? 1 : 0;
-            const double severity = severity_of(warning);
+            kind.runs += told.insert(pattern).second ? 1 : 0;
+            const double severity = severity_of(warning.words);
             if (!is_new && !(severity > kind.severity)) continue;
-            kind.worst = warning;
+            kind.worst = warning.words;
             kind.member = run.member;
             kind.table = run.table;
             kind.severity = severity;
         }
     }
-    std::vector<Sentence> sentences;
+    Warnings sentences;
     for (const std::string& pattern : order) {
         const KindOfWarning& kind = kinds.at(pattern);
         const Sentence some = count(kind.runs), all = count(runs.size()), member = count(kind.member);

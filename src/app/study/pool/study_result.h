@@ -32,7 +32,7 @@ Troubles troubles_of(const std::vector<RunOfStudy>& runs, bool each_counts);
 /// One sentence for each kind of warning that the runs gave: of how many, and that of the run whose figure is the
 /// worst.
 /// @param known warnings of the study itself, which need not be told again
-std::vector<Sentence> kinds_of_warnings(const std::vector<RunOfStudy>& runs, const std::vector<Sentence>& known);
+Warnings kinds_of_warnings(const std::vector<RunOfStudy>& runs, const Warnings& known);
 
 /// The cells of a run in the columns k_end_columns.
 std::vector<std::string> end_values(const MemberEnd& end);

@@ -459,10 +459,13 @@ StudyOutcome publish_calibration(const CalibrationInput& input, const Calibratio
     const std::vector<RunOfStudy> all = runs_of(runs);
     const Troubles troubles = troubles_of(all, false);
     outcome.has_troubles = troubles.any();
-    if (troubles.any()) log.warn_first({headline(troubles)});
+    Warnings warnings;
+    if (troubles.any()) warnings += Warnings{headline(troubles)};
+    log.tell(warnings);
+    for (const StudyInput& event : input.own) warnings += event.base.scene.warnings;
     for (const Sentence& doubt : result.doubts) log.warn(doubt);
     outcome.too_many_failed = warn_of_failures(runs, input.events(), log);
-    for (const Sentence& kind : kinds_of_warnings(all, log.warnings())) log.warn(kind);
+    log.warn_all(kinds_of_warnings(all, warnings));
     write_text_file(directory.path(k_study_file), calibration_text(seen_from(input.spec(), directory.target())));
     write_text_file(directory.path(k_inputs_file), recorded_inputs(inputs_of(input), directory.target()));
     write_text_file(directory.path(k_posterior_table), posterior_csv(input, runs, result));
@@ -474,7 +477,8 @@ StudyOutcome publish_calibration(const CalibrationInput& input, const Calibratio
     publish_calibration_maps(input, runs, result, troubles, directory, log);
     draw_calibration_charts(input, result, directory, log);
     tell(input, result, log);
-    const CalibrationFacts facts{troubles, since_start.seconds(), threads, log.warnings(), today()};
+    warnings += log.take_warnings();
+    const CalibrationFacts facts{troubles, since_start.seconds(), threads, std::move(warnings), today()};
     if (input.own.front().base.spec.output.report) write_calibration_report(input, runs, result, facts, directory);
     write_text_file(directory.path(k_summary_file), calibration_summary_json(input, runs, facts));
     write_text_file(directory.path(k_log_file), log.text());

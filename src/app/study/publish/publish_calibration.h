@@ -59,7 +59,7 @@ struct CalibrationFacts {
     Troubles troubles;
     double wall_seconds = 0;
     int threads = 1;
-    std::vector<Sentence> warnings;
+    Warnings warnings;
     std::string date;  ///< the day it was written, "2026-11-24"
 };
 

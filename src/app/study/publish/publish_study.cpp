@@ -331,9 +331,14 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
                        {"RUNS", std::to_string(result.finished_at.size()) + " of " + std::to_string(runs.size())}};
     if (facts.troubles.any()) input.base.tags[k_lower_bound_item] = headline(facts.troubles).text();
     outcome.has_troubles = facts.troubles.any();
-    if (facts.troubles.any()) log.warn_first({headline(facts.troubles)});
+    (facts.warnings = input.base.scene.warnings) += log.take_warnings();
+    const auto first_of_all = [&](const Warning& warning) {
+        log.tell({warning});
+        facts.warnings.insert(facts.warnings.begin(), warning);
+    };
+    if (facts.troubles.any()) first_of_all(headline(facts.troubles));
     outcome.too_many_failed = warn_of_failures(input, result, log);
-    for (const Sentence& kind : kinds_of_warnings(runs, log.warnings())) log.warn(kind);
+    log.warn_all(kinds_of_warnings(runs, facts.warnings));
     const StudySpec echoed = seen_from(input.reading.study, directory.target());
     write_text_file(directory.path(is_region ? k_region_file : k_study_file),
                     is_region ? region_text(echoed) : study_text(echoed));
@@ -350,8 +355,8 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
         if (facts.scheme_check)
             for (const Sentence& sentence : sentences_of(*facts.scheme_check)) log.info(sentence.text());
         if (const auto doubt = facts.scheme_check ? warning_of(*facts.scheme_check) : std::nullopt) {
-            log.warn_first({*doubt});
-            input.base.doubts.push_back(*doubt);
+            first_of_all({*doubt, true});
+            input.base.scene.warnings += Warnings{{*doubt, true}};
         }
         if (is_region) {
             publish_unions(input, result, directory, facts);
@@ -380,7 +385,7 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
     std::optional<StudyComparison> comparison;
     if (!result.finished_at.empty()) comparison = compare_study(input, directory, log);
     facts.wall_seconds = study.since_start.seconds();
-    facts.warnings = log.warnings();
+    facts.warnings += log.take_warnings();
     if (input.base.spec.output.report) write_study_report(input, result, figures, facts, directory);
     if (comparison) renew_report(directory.folder(), comparison->scores, comparison->map);
     write_text_file(directory.path(k_summary_file), study_summary_json(input, result, facts));

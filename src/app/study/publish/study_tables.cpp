@@ -204,7 +204,7 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
         if (!member.failure.empty()) failures.push_back({{"member", member.member}, {"reason", member.failure}});
     if (facts.exposure) json["exposure"] = exposure_json(*facts.exposure);
     json["warnings"] = texts_of(facts.warnings);
-    json["warning_words"] = json_of(input.base.doubts);
+    json["warning_values"] = json_of(facts.warnings);
     return json_text(json);
 }
 

@@ -39,7 +39,7 @@ struct StudyFacts {
     double wall_seconds = 0;
     std::size_t computed = 0;  ///< members in this session
     int threads = 1;
-    std::vector<Sentence> warnings;
+    Warnings warnings;
 };
 /// Whose friction a study shows, and by which of its keys that differs between the runs; of one with a friction table.
 struct ShownFriction {

@@ -29,18 +29,6 @@ inline double settling_velocity(const SettlingFluid& fluid, double grain_density
     return 10 * nu / diameter * (std::sqrt(1 + 0.01 * buoyant * diameter * diameter * diameter / (nu * nu)) - 1);
 }
 
-/// How the drag's exponent M is determined.
-enum class RichardsonZaki {
-    constant,   ///< M as given
-    by_grains,  ///< M from the particle Reynolds number (Richardson & Zaki 1954)
-};
-
-/// How the fluid-like fraction P of the drag is determined.
-enum class DragMixing {
-    quotient,         ///< [alpha_s (1 - f_sc) / (alpha_f (1 - f_fc))]^m, at most 1 (the paper)
-    solids_fraction,  ///< alpha_s^m (Pudasaini & Mergili 2019)
-};
-
 /// Volume fractions of a column, grain and block sizes: the inputs of the drag.
 struct Mixture {
     double solids = 0;             ///< alpha_s
@@ -50,8 +38,7 @@ struct Mixture {
     double coupled_density = 0;    ///< rho_c [kg/m3]
     double grain_density = 0;      ///< rho_s [kg/m3]
     double grain_diameter = 1e-3;  ///< d [m]
-    double block_size = 1;         ///< of the structured part [m]
-    double flux = 0;               ///< |alpha_c u_c + alpha_u u_u| [m/s]
+    double block_size = 1;         ///< d_sc of the structured part: the local depth [m]
 };
 
 /// Two-phase drag generalised to structured solids (Pudasaini 2012, Pudasaini & Mergili 2019; paper, equations 31 to 34
@@ -63,27 +50,22 @@ struct Mixture {
 /// opposite on the free fluid [N/m3]. Zero where either phase is less than a thousandth of the column.
 struct Drag {
     SettlingFluid fluid;
-    int exponent = 2;              ///< j: 1 linear, 2 quadratic
-    double richardson_zaki = 2.4;  ///< M
-    RichardsonZaki exponent_of = RichardsonZaki::constant;
-    DragMixing mixing = DragMixing::quotient;
-    double mixing_exponent = 1;     ///< m of P
-    double smoothing_velocity = 0;  ///< K [m/s]; 0: the mixture's flux
+    int exponent = 2;               ///< j: 1 linear, 2 quadratic
+    double smoothing_velocity = 1;  ///< K [m/s]: that of r.avaflow, for the mixture's flux of equation 34
 
     /// C [kg m^-3 s^-1 (m/s)^(1-j)].
     [[nodiscard]] double operator()(const Mixture& m) const noexcept {
         constexpr double k_least = 1e-3;
         const double free = 1 - m.coupled;
         if (!(m.coupled > k_least && free > k_least && m.coupled_density > fluid.density)) return 0;
-        const double k = smoothing_velocity > 0 ? smoothing_velocity : m.flux;
+        const double k = smoothing_velocity;
         const double weight = m.coupled * free * fluid.gravity;
         double sum = 0;
         if (m.structured > 0) {
             constexpr double k_largest_block = 1;  // [m] settling laws do not apply to larger ones
             const double size = std::min(m.block_size, k_largest_block);
             const double u = settling_velocity(fluid, m.coupled_density, size);
-            sum += m.structured * weight * (m.coupled_density - fluid.density) /
-                   power(u * solid_like(m, size, u) + k / free);
+            sum += m.structured * weight * (m.coupled_density - fluid.density) / power(u * solid_like(m) + k / free);
         }
         if (m.structured < 1) {
             const double u = settling_velocity(fluid, m.grain_density, m.grain_diameter);
@@ -95,7 +77,7 @@ struct Drag {
     /// Coefficient of the loose part, for given U_T, Re, P and K.
     [[nodiscard]] double loose(const Mixture& m, double terminal, double reynolds, double p, double k) const noexcept {
         const double free = 1 - m.coupled;
-        const double like_fluid = fluid_like(m, reynolds), like_solid = power_of_fluid(m, reynolds);
+        const double like_fluid = fluid_like(m, reynolds), like_solid = solid_like(m);
         const double smooth = (p / m.coupled + (1 - p) / free) * k;
         return m.coupled * free * (m.grain_density - fluid.density) * fluid.gravity /
                power(terminal * (p * like_fluid + (1 - p) * like_solid) + smooth);
@@ -106,28 +88,19 @@ struct Drag {
         const double ratio = (1 - m.solids) / std::max(m.solids, k_least_solids);
         return fluid.density / m.grain_density / 180 * ratio * ratio * ratio * reynolds;
     }
-    /// P of the loose part.
+    /// P of the loose part, [alpha_s (1 - f_sc) / (alpha_f (1 - f_fc))]^m with the paper's m = 1, at most 1.
     [[nodiscard]] double fraction(const Mixture& m) const noexcept {
-        if (mixing == DragMixing::solids_fraction) return std::pow(m.solids, mixing_exponent);
         const double open = (1 - m.solids) * (1 - m.confined);
         const double quotient = m.solids * (1 - m.structured) / std::max(open, 1e-12);
-        return std::min(1.0, mixing_exponent == 1 ? quotient : std::pow(quotient, mixing_exponent));
+        return std::min(1.0, quotient);
     }
 
   private:
     [[nodiscard]] double power(double bracket) const noexcept { return exponent == 1 ? bracket : bracket * bracket; }
-    [[nodiscard]] double solid_like(const Mixture& m, double size, double terminal) const noexcept {
-        return power_of_fluid(m, terminal * size / fluid.kinematic_viscosity);
-    }
-    /// G, after Richardson and Zaki.
-    [[nodiscard]] double power_of_fluid(const Mixture& m, double reynolds) const noexcept {
-        return std::pow(1 - m.solids, zaki(reynolds) - 1);
-    }
-    [[nodiscard]] double zaki(double reynolds) const noexcept {
-        if (exponent_of == RichardsonZaki::constant) return richardson_zaki;
-        if (reynolds < 0.2) return 4.65;
-        if (reynolds < 1) return 4.35 * std::pow(reynolds, -0.03);
-        return reynolds < 500 ? 4.45 * std::pow(reynolds, -0.1) : 2.39;
+    /// G, after Richardson and Zaki, with their exponent M of grains in turbulent water (paper, equation 32).
+    [[nodiscard]] static double solid_like(const Mixture& m) noexcept {
+        constexpr double k_exponent = 2.4;
+        return std::pow(1 - m.solids, k_exponent - 1);
     }
 };
 
@@ -138,26 +111,17 @@ inline double drag_decay(int exponent, double lambda, double speed, double dt) n
     return exponent == 1 ? std::exp(-lambda * dt) : 1 / (1 + lambda * speed * dt);
 }
 
-enum class VirtualMassLaw {
-    none,
-    pudasaini_2012,  ///< C = (1 + 2 a_c) / (2 a_u) (paper, equation 65)
-    pudasaini_2019,  ///< C = (N0 (l + a_c^n) - 1) / (a_c / a_u + gamma), N0 = 10, l = 0.12, n = 1
-};
-
-/// Mass of fluid that accelerates with the solids (paper, equation 35).
+/// Mass of fluid that accelerates with the solids (paper, equations 35 and 65; Pudasaini 2012):
+///     C = (1 + 2 a_c) / (2 a_u)
 struct VirtualMass {
-    VirtualMassLaw law = VirtualMassLaw::pudasaini_2012;
+    bool acts = true;
 
     /// m_v = rho_u h_c C [kg/m2], at most twice the lesser of the two masses (the law diverges without free fluid).
     /// @param coupled, free alpha_c, alpha_u [-]
     /// @param coupled_mass, free_mass per unit area [kg/m2]
-    /// @param density_ratio rho_f / rho_s [-]
-    [[nodiscard]] double operator()(double coupled, double free, double coupled_mass, double free_mass,
-                                    double density_ratio) const noexcept {
-        if (law == VirtualMassLaw::none || !(coupled > 0 && free > 0)) return 0;
-        const double c = law == VirtualMassLaw::pudasaini_2012
-                             ? 0.5 * (1 + 2 * coupled) / free
-                             : (10 * (0.12 + coupled) - 1) / (coupled / free + density_ratio);
+    [[nodiscard]] double operator()(double coupled, double free, double coupled_mass, double free_mass) const noexcept {
+        if (!acts || !(coupled > 0 && free > 0)) return 0;
+        const double c = 0.5 * (1 + 2 * coupled) / free;
         return std::clamp(free_mass * coupled / free * c, 0.0, 2 * std::min(coupled_mass, free_mass));
     }
 };
@@ -176,7 +140,6 @@ struct CouplingLaws {
     bool drags = true;
     Drag drag;
     VirtualMass virtual_mass;
-    double block_size = 0;     ///< d_sc of the structured part [m]; 0: the local depth
     double dry = k_dry_depth;  ///< least depth of free fluid that counts as fluid [m]
 };
 
@@ -205,7 +168,7 @@ inline Eigen::Vector2d impulse_on(const CouplingLaws& laws, const CellPhases& ce
     const double grain_density = (m_c - fluid_density * cell.confined) / cell.solids;
     const double alpha_c = coupled / depth, alpha_u = cell.free / depth;
 
-    const double m_v = laws.virtual_mass(alpha_c, alpha_u, m_c, m_u, fluid_density / grain_density);
+    const double m_v = laws.virtual_mass(alpha_c, alpha_u, m_c, m_u);
     Vector2d impulse = Vector2d::Zero();
     if (m_v > 0) {
         const Vector2d apart = cell.free_push - (next - cell.coupled_velocity) / dt;
@@ -221,9 +184,7 @@ inline Eigen::Vector2d impulse_on(const CouplingLaws& laws, const CellPhases& ce
     m.coupled_density = m_c / coupled;
     m.grain_density = grain_density;
     m.grain_diameter = cell.grain_diameter;
-    m.block_size = laws.block_size > 0 ? laws.block_size : depth;
-    const Vector2d flux = alpha_c * u_c + alpha_u * u_u;
-    m.flux = std::hypot(flux.x(), flux.y());
+    m.block_size = depth;
     const Vector2d w = u_u - u_c;
     // The virtual mass couples the two phases during the drag: their momenta change by m_r w only, and the bare masses
     // carry the fraction that corresponds to a change of w.

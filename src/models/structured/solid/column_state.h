@@ -23,8 +23,6 @@ inline constexpr FieldMask k_cohesion_fields{Field::cohesion, Field::cohesion_ra
 inline constexpr FieldMask k_wet_fields{Field::confined, Field::pores, Field::submergence, Field::grain_diameter};
 inline constexpr FieldMask k_release_fields{Field::confined_start, Field::released};
 
-/// In addition, if the thrust depends on whether material is compressed.
-inline constexpr FieldMask k_passive_fields{Field::divergence};
 inline constexpr FieldMask k_pore_fields{Field::pore_pressure, Field::hydrostatic};
 
 /// The fields of a scene's solids.
@@ -57,26 +55,12 @@ struct ParticleLoad {
     double thrust = 0;      ///< P_lat [N/m]
 };
 
-/// Whether the load beyond a column's strength acts in all directions alike (next_stress).
-inline bool excess_is_hydrostatic(const SolidLaws& laws) noexcept {
-    return laws.earth_pressure == EarthPressure::hydrostatic && laws.broken == BrokenMaterial::earth_pressure;
-}
-
-/// Sets thrust and borne of a column whose depth, cohesion and load are known.
-/// @param passive it is broken and compressed, where that matters (EarthPressure::passive)
-inline void set_thrust(const SolidLaws& laws, double friction, bool passive, ParticleLoad& column) noexcept {
-    column.borne = 0.5 * column.load;
-    if (laws.earth_pressure == EarthPressure::hydrostatic) {
-        const double bears = DruckerPrager::of(friction, column.cohesion).uniaxial();
-        column.thrust = hydrostatic_thrust(column.load, column.depth, bears);
-        if (excess_is_hydrostatic(laws)) column.borne = std::min(column.borne, bears);
-    } else if (passive) {
-        column.thrust =
-            passive_thrust(1 / active_coefficient(friction), column.load, column.depth, column.cohesion - column.lost);
-    } else {
-        column.thrust =
-            active_thrust(active_coefficient(friction), column.load, column.depth, column.cohesion - column.lost);
-    }
+/// Sets thrust and borne of a column whose depth, cohesion and load are known: what its strength does not bear acts in
+/// all directions alike (next_stress).
+inline void set_thrust(double friction, ParticleLoad& column) noexcept {
+    const double bears = DruckerPrager::of(friction, column.cohesion).uniaxial();
+    column.thrust = hydrostatic_thrust(column.load, column.depth, bears);
+    column.borne = std::min(0.5 * column.load, bears);
 }
 
 /// Fraction of its confined fluid and structured solids that a column still holds: the cohesion's, but no more than its
@@ -86,13 +70,6 @@ inline void set_thrust(const SolidLaws& laws, double friction, bool passive, Par
 /// @param weight of the column on its base [Pa]
 inline double held_fraction(double ratio, double bears, double weight) noexcept {
     return 2 * bears < ratio * weight ? 2 * bears / weight : ratio;
-}
-
-/// Whether a column has the passive thrust where it is compressed: it is broken, or bears next to nothing of its
-/// weight.
-inline bool pushes_back(const SolidLaws& laws, const ParticleLoad& column) noexcept {
-    constexpr double k_broken_from = 0.05;
-    return laws.earth_pressure == EarthPressure::passive && column.held < k_broken_from;
 }
 
 /// A particle's solids with all of their pores full, as when it was placed: what the pore pressure drains through and
@@ -109,8 +86,8 @@ struct Saturated {
     }
 };
 
-/// Reads volume, area, confined, submergence, cohesion, cohesion_ratio, friction, grain_density, for passive thrust
-/// divergence, and with pore pressure confined_start, pores, pore_pressure and hydrostatic of particle p.
+/// Reads volume, area, confined, submergence, cohesion, cohesion_ratio, friction, grain_density, and with pore pressure
+/// confined_start, pores, pore_pressure and hydrostatic of particle p.
 template <class Kind>
 ParticleLoad particle_load(const SolidLaws& laws, const ParticleSet& particles, std::size_t p) noexcept {
     const double solids = particles[Field::volume][p], inverse_area = 1 / particles[Field::area][p];
@@ -145,7 +122,7 @@ ParticleLoad particle_load(const SolidLaws& laws, const ParticleSet& particles, 
             s.held = std::min(s.held, confined / start);
             kept = std::min(kept, start * s.held);
         }
-    s.structured = laws.initial_structured * s.held;
+    s.structured = s.held;
     // The grid's submergence is of all pores, and of water that is on the grid: those of structured solids have
     // confined fluid, and what is released in this step is in the loose solids' already.
     if constexpr (Kind::pressed && Kind::wet)
@@ -159,13 +136,13 @@ ParticleLoad particle_load(const SolidLaws& laws, const ParticleSet& particles, 
         s.lost = std::min(s.lost, 0.5 * friction * s.load);
         s.bearing = std::clamp(s.load - excess, 0.0, std::max(s.load, weight));
     }
-    set_thrust(laws, friction, pushes_back(laws, s) && particles[Field::divergence][p] < 0, s);
+    set_thrust(friction, s);
     return s;
 }
 
-/// Whether a column's only stress is its earth pressure. What pushes back would otherwise resist compression twice.
-inline bool flows_freely(const SolidLaws& laws, const ParticleLoad& column) noexcept {
-    return laws.broken == BrokenMaterial::earth_pressure && (!(column.cohesion > 0) || pushes_back(laws, column));
+/// Whether a column's only stress is its earth pressure.
+inline bool flows_freely(const ParticleLoad& column) noexcept {
+    return !(column.cohesion > 0);
 }
 
 /// Greatest deceleration by friction at the bed [m/s2].

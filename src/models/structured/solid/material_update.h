@@ -11,25 +11,17 @@ namespace frana::structured {
 
 /// Stress after a rotation R and a strain in the plane (both of one substep): rotation with the material, elastic
 /// trial, return to the yield surface of the sum with the geostatic stress, -diag(p, p, N / 2). That vertical stress is
-/// given by the weight, so the particle's own is zero. p is the column's thrust over its depth or, where that is less,
-/// the strength's active pressure for yielding in both directions: the state at rest never yields.
-///
-/// If the excess of the load over the strength q is hydrostatic, p = N / 2 - q in all three directions adds no friction
-/// inside, as in material without cohesion: the check is that of the rest, -diag(0, 0, q). So a column that does not
-/// bear itself has the thrust p also while it yields, and both tend to those of broken material with the cohesion.
+/// given by the weight, so the particle's own is zero. The excess of the load over the strength q is hydrostatic:
+/// p = N / 2 - q in all three directions adds no friction inside, as in material without cohesion, and the check is
+/// that of the rest, -diag(0, 0, q). So a column that does not bear itself has the thrust p also while it yields, and
+/// both tend to those of broken material with the cohesion.
 inline Returned next_stress(const SolidLaws& laws, const ParticleLoad& column, double friction, const Matrix2d& turn,
                             const Matrix2d& strain, const Stress& stress) noexcept {
-    const double lost = laws.strength_of_particle_stress ? 0 : column.lost;  // takes off friction under the load
-    const auto strength = DruckerPrager::of(friction, column.cohesion - lost);
+    const auto strength = DruckerPrager::of(friction, column.cohesion - column.lost);
     const Stress trial = Stress{rotated(stress.plane, turn), stress.zz} + laws.elastic.increment(strain);
-    if (laws.strength_of_particle_stress) return return_by_itself(strength, laws.elastic, laws.sin_dilatancy, trial);
-    const double load = column.borne;
-    const double pressure =
-        excess_is_hydrostatic(laws) ? 0 : std::max(column.thrust / column.depth, strength.active_pressure(load));
-    const Matrix2d lateral = pressure * Matrix2d::Identity();
-    const Returned r = return_under_load(strength, laws.elastic, laws.sin_dilatancy, {trial.plane - lateral, -load});
+    const Returned r = return_under_load(strength, laws.elastic, laws.sin_dilatancy, {trial.plane, -column.borne});
     if (!r.yielded) return {{trial.plane, 0}, false};
-    return {{r.stress.plane + lateral, 0}, true};
+    return {{r.stress.plane, 0}, true};
 }
 
 /// Stress, strain, damage and release of confined fluid over dt, and the forces of stress and thrust on the nodes.
@@ -42,9 +34,8 @@ void update_material(ParticleRun run, double dt, const SolidLaws& laws, StressNo
         const StressNodes::Stencil at = nodes.at(particles[Field::x][p], particles[Field::y][p]);
         const Matrix2d l = nodes.velocity_gradient(at, w[SolidWork::bonds][p] > 0);
         const Matrix2d turn = rotation(dt * spin(l)), strain = dt * strain_rate(l);
-        if (laws.earth_pressure == EarthPressure::passive) particles[Field::divergence][p] = l.trace();
         const ParticleLoad column = particle_load<Kind>(laws, particles, p);
-        const bool flows = flows_freely(laws, column);
+        const bool flows = flows_freely(column);
         const Stress old{symmetric(particles[Field::t_xx][p], particles[Field::t_yy][p], particles[Field::t_xy][p]),
                          particles[Field::t_zz][p]};
         const auto [stress, yielded] =

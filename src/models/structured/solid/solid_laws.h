@@ -52,24 +52,17 @@ inline Matrix2d rotated(const Matrix2d& s, const Matrix2d& rotation) noexcept {
     return rotation * s * rotation.transpose();
 }
 
-/// The strain by which yielding material loses its cohesion.
-enum class DamageMeasure {
-    volumetric,  ///< opening, max(0, tr e) (paper, equation 26): no loss in pure shear
-    equivalent,  ///< distortion, sqrt(2/3 dev e : dev e); closest to what the paper reports of its scenarios
-};
-
 /// Loss of cohesion while the material yields. Strength distributed uniformly over 0 to 2 c_0 makes the loss linear in
 /// the accumulated strain D (paper, equation 26):
 ///     c / c_0 = max(0, 1 - D / (2 eps_c))
-/// Confined fluid and structured fraction decrease in proportion: equations 27 and 28 integrate to f = f_0 c / c_0.
+/// Confined fluid and structured fraction decrease in proportion: equations 27 and 28 integrate to f = f_0 c / c_0. The
+/// strain is distortion, sqrt(2/3 dev e : dev e): closest to what the paper reports of its scenarios.
 struct Fragmentation {
     double critical_strain = 0.05;  ///< eps_c [-]
-    DamageMeasure measure = DamageMeasure::equivalent;
 
     /// Increment of D of a yielding material by a strain in the plane.
     [[nodiscard]] double increment(const Matrix2d& strain) const noexcept {
         const double tr = strain.trace();
-        if (measure == DamageMeasure::volumetric) return std::max(0.0, tr);
         const Matrix2d dev = strain - tr / 3 * Matrix2d::Identity();  // its vertical component is -tr / 3
         return std::sqrt(2.0 / 3 * (dev.squaredNorm() + tr * tr / 9));
     }
@@ -142,13 +135,6 @@ struct DruckerPrager {
     [[nodiscard]] double yield(const Stress& s) const noexcept { return std::sqrt(s.j2()) + slope * s.i1() - strength; }
     /// Greatest vertical pressure at which a column with free sides does not yield, k / (1 / sqrt(3) - a) [Pa].
     [[nodiscard]] double uniaxial() const noexcept { return strength / (k_root - slope); }
-    /// Least pressure from all sides at which a column under a vertical pressure does not yield [Pa]; 0 up to the
-    /// uniaxial strength. In plane strain, where the law is matched, the least is Rankine's active pressure; with
-    /// yielding in both directions, as here, the law requires more.
-    [[nodiscard]] double active_pressure(double vertical) const noexcept {
-        return std::max(0.0, ((k_root - slope) * vertical - strength) / (k_root + 2 * slope));
-    }
-
     static constexpr double k_root = 0.57735026918962576;  // 1 / sqrt(3)
 };
 
@@ -198,56 +184,6 @@ inline Returned return_under_load(const DruckerPrager& law, const Elasticity& el
     return {{(trial.zz + x) * unit + kept * deviator, trial.zz}, true};
 }
 
-/// The same where the vertical stress is the material's own and no load is known: in three dimensions the return has a
-/// closed form,
-///     lambda = f' / (G + 27 a K sin(psi)),   I1 = I1' - 27 K sin(psi) lambda,   s = s' (1 - G lambda / sqrt(J2'))
-/// and a stress beyond the apex is returned to it. For psi = 0 it is the paper's Appendix B (after Bui et al. 2008,
-/// corrected).
-inline Returned return_by_itself(const DruckerPrager& law, const Elasticity& elastic, double sin_dilatancy,
-                                 const Stress& s) noexcept {
-    constexpr double k_rounding = 1e-12;
-    const double i1 = s.i1(), root = std::sqrt(s.j2()), beyond = root + law.slope * i1 - law.strength;
-    if (!(beyond > k_rounding * (law.strength + law.slope * std::abs(i1)))) return {s, false};
-    const double lambda = beyond / (elastic.shear + 27 * law.slope * elastic.bulk * sin_dilatancy);
-    if (law.slope > 0 && root <= elastic.shear * lambda)
-        return {Stress::isotropic(law.strength / (3 * law.slope)), true};
-    const double kept = root > 0 ? std::max(0.0, 1 - elastic.shear * lambda / root) : 0;
-    return {Stress::isotropic(i1 / 3 - 9 * elastic.bulk * sin_dilatancy * lambda) + kept * s.deviator(), true};
-}
-
-/// Rankine's earth pressure coefficients: K_a = (1 - sin phi) / (1 + sin phi), K_p = 1 / K_a (the paper prints K_a for
-/// both).
-/// @param friction tan(phi) [-]
-inline double active_coefficient(double friction) noexcept {
-    const double sine = friction / std::sqrt(1 + friction * friction);
-    return (1 - sine) / (1 + sine);
-}
-
-/// Thrust of a column on its neighbours by Bell's active pressure K_a sigma_v - 2 c sqrt(K_a), with a tension crack
-/// where the pressure would be negative (textbook; the paper's equation 43 lacks root, crack and the factor 1/2 of the
-/// mean):
-///     P = K_a w (h - z)^2 / 2,   z = min(h, 2 c / (w sqrt K_a)),   w = N / h                 [N/m]
-/// Without cohesion it is Savage and Hutter's K_a N h / 2; with sufficient cohesion it is zero. A negative c is
-/// friction that pore pressure takes off: it adds -2 c sqrt(K_a) h.
-/// @param load effective stress at the base N [Pa]
-/// @param depth h [m]
-/// @param cohesion present c [Pa]
-inline double active_thrust(double coefficient, double load, double depth, double cohesion) noexcept {
-    if (!(load > 0 && depth > 0)) return 0;
-    if (cohesion < 0) return (0.5 * coefficient * load - 2 * cohesion * std::sqrt(coefficient)) * depth;
-    const double root = std::sqrt(coefficient) * load;
-    if (2 * cohesion >= root) return 0;
-    const double pushing = 1 - 2 * cohesion / root;  // fraction of the depth below the crack
-    return 0.5 * coefficient * load * depth * pushing * pushing;
-}
-
-/// The same with Bell's passive pressure K_p sigma_v + 2 c sqrt(K_p), for compressed material: P = K_p N h / 2 + 2 c
-/// sqrt(K_p) h.
-/// @param coefficient K_p = 1 / K_a
-inline double passive_thrust(double coefficient, double load, double depth, double cohesion) noexcept {
-    return (0.5 * coefficient * load + 2 * cohesion * std::sqrt(coefficient)) * depth;
-}
-
 /// Thrust of a column if the load that its strength does not bear acts in all directions alike,
 ///     P = max(0, N / 2 - q) h                                                                [N/m]
 /// Without cohesion it is N h / 2, that of a fluid; a column that bears its own weight has none (ours).
@@ -255,20 +191,6 @@ inline double passive_thrust(double coefficient, double load, double depth, doub
 inline double hydrostatic_thrust(double load, double depth, double bears) noexcept {
     return std::max(0.0, 0.5 * load - bears) * depth;
 }
-
-/// Earth pressure of solids on their neighbours, intact or broken: what cohesion changes tends to zero with it.
-enum class EarthPressure {
-    hydrostatic,  ///< the load beyond the strength, in all directions alike: heaps stop at the bed's friction angle
-    active,       ///< Bell's, K_a without cohesion, as the paper: right on a smooth bed; heaps on a rough one too steep
-    passive  ///< K_p where broken material (cohesion ratio under 0.05) is compressed, active elsewhere (Pitman & Le
-             ///< 2005); intact material that is compressed has its elastic stress, up to the passive state
-};
-
-/// Stress of material without cohesion.
-enum class BrokenMaterial {
-    earth_pressure,  ///< earth pressure alone, as in depth-averaged avalanches; thickness changes freely
-    elastic          ///< Drucker-Prager's without vertical strain, as in intact material: it cannot thicken
-};
 
 /// Laws and parameters of the solids; constant during a run. Lengths in metres, in map view.
 struct SolidLaws {
@@ -279,20 +201,15 @@ struct SolidLaws {
     double gravity = k_standard_gravity;
     bool steep = true;  ///< gravity and friction over 1 + |grad b|^2
     Elasticity elastic;
-    double sin_dilatancy = 0;                  ///< sin(psi)
-    bool strength_of_particle_stress = false;  ///< yield is checked without the geostatic stress
-    BrokenMaterial broken = BrokenMaterial::earth_pressure;
-    EarthPressure earth_pressure = EarthPressure::hydrostatic;
+    double sin_dilatancy = 0;  ///< sin(psi)
     BasalPressure basal;
     PorePressure pores;     ///< its density and hydrostatic ratio are each column's own
     bool fractures = true;  ///< cohesion can be lost
     Fragmentation fragmentation;
-    double damage_length = 1;       ///< R, over which damage is averaged [m]
-    double initial_structured = 1;  ///< f_sc of intact material
+    double damage_length = 1;  ///< R, over which damage is averaged [m]
 
-    double wave_speed = 0;    ///< of pressure waves in the lightest material [m/s]
-    double wave_cfl = 0.8;    ///< fraction of the stress's node spacing that waves cross in a substep
-    double pic_fraction = 0;  ///< fraction of the grid's velocity that particles adopt in a step
+    double wave_speed = 0;  ///< of pressure waves in the lightest material [m/s]
+    double wave_cfl = 0.8;  ///< fraction of the stress's node spacing that waves cross in a substep
 };
 
 }  // namespace frana::structured

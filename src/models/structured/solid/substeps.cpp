@@ -79,10 +79,7 @@ class Substeps {
 
 double stable_substep(const SolidState& state, const SolidLaws& laws) {
     constexpr double k_force = 0.28;
-    // Passive thrust jumps by the square of its coefficient where motion turns to compression: with the long substeps
-    // of loose material a heap at the limit of its corners covers a quarter more (test OnePascal).
-    const bool fast = state.elastic || laws.earth_pressure == EarthPressure::passive;
-    const double wave = fast ? std::max(laws.wave_speed, state.sound) : state.sound;
+    const double wave = state.elastic ? std::max(laws.wave_speed, state.sound) : state.sound;
     const double acceleration = std::max(std::sqrt(state.last.acceleration2), laws.gravity);
     return std::min({laws.wave_cfl * laws.side / wave, k_force * std::sqrt(laws.side / acceleration),
                      0.25 * k_greatest_growth / state.last.opening});

@@ -48,10 +48,9 @@ void solids_to_nodes(ParticleRun run, const SolidLaws& laws, const ParticleSet& 
 template <class Kind>
 void nodes_to_solids(ParticleRun run, const SolidLaws& laws, double dt, const NodeGrid& grid, const SolidNodes& nodes,
                      ParticleSet& particles) {
-    const double pic_fraction = laws.pic_fraction;
     for (std::size_t p = run.begin; p < run.end; ++p) {
         const CubicStencil stencil(particles[Field::x][p], particles[Field::y][p], grid, nodes);
-        double ax = 0, ay = 0, flatness = 0, submergence = 0, u = 0, v = 0, depth = 0;
+        double ax = 0, ay = 0, flatness = 0, submergence = 0, depth = 0;
         for (int b = 0; b < 4; ++b) {
             const std::size_t row = stencil.first + static_cast<std::size_t>(b * grid.stride());
             for (int a = 0; a < 4; ++a) {
@@ -63,22 +62,14 @@ void nodes_to_solids(ParticleRun run, const SolidLaws& laws, double dt, const No
                 flatness += w * node.flatness;
                 submergence += w * node.submergence;
                 depth += w * nodes.depth[n];
-                if (pic_fraction > 0) {
-                    u += w * nodes.u[n];
-                    v += w * nodes.v[n];
-                }
             }
-        }
-        if (pic_fraction > 0 && stencil.any) {
-            ax += pic_fraction * (u - particles[Field::u][p]) / dt;
-            ay += pic_fraction * (v - particles[Field::v][p]) / dt;
         }
         particles[Field::push_x][p] = ax;
         particles[Field::push_y][p] = ay;
         particles[Field::flatness][p] = stencil.any ? flatness : 1;
         if constexpr (Kind::wet) particles[Field::submergence][p] = submergence;
         const ParticleLoad column = particle_load<Kind>(laws, particles, p);
-        if (!(depth > 0) || !flows_freely(laws, column)) continue;
+        if (!(depth > 0) || !flows_freely(column)) continue;
         const double speed = std::hypot(particles[Field::u][p], particles[Field::v][p]);
         const double fraction = std::min(1.0, dt * (speed + std::sqrt(laws.gravity * depth)) / grid.cell_size());
         double& area = particles[Field::area][p];

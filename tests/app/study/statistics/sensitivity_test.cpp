@@ -16,7 +16,7 @@ SampleTable design(Sampling sampling, std::int64_t samples, std::int64_t seed = 
     study.seed = seed;
     study.sampling = sampling;
     study.samples = samples;
-    for (const std::string key : {"material.friction-coefficient", "material.pore-pressure-ratio", "time.stop-window"})
+    for (const std::string key : {"material.friction-coefficient", "material.pore-pressure-ratio", "time.stop-change"})
         study.vary.push_back({key, std::get<Distribution>(distribution_from_text("uniform(0.1, 0.9)"))});
     Problems problems;
     return draw_samples(study, "study.ini", problems);
