@@ -117,6 +117,18 @@ struct LawList {
     }
 };
 
+/// Returns the values of all laws of a list, of which a law is built.
+/// @param values of LawValues
+template <class List, class Values>
+typename List::Values all_values(const Values& values) {
+    typename List::Values all;
+    List::for_each([&]<class Law>() {
+        if constexpr (requires { typename Law::Values; })
+            static_cast<typename Law::Values&>(all) = values.template of<Law>();
+    });
+    return all;
+}
+
 /// Calls a function for each key that a law brings with it.
 template <class Law, class Function>
 void for_each_key(Function&& function) {

@@ -3,6 +3,7 @@
 // the stages of the time step follow from it.
 #pragma once
 
+#include "core/default_values.h"
 #include "physics/bed_contact.h"
 #include "physics/deposition_shear_stress.h"
 #include "physics/erosion_growth.h"
@@ -44,6 +45,15 @@ void for_each_law_list(Visit&& visit) {
     visit.template operator()<StressLaws>();
     visit.template operator()<ErosionLaws>();
     visit.template operator()<DepositionLaws>();
+}
+
+/// What the laws of a material read of it: density and the values of all keys.
+struct MaterialValues : BedLaws::Values, StressLaws::Values {
+    double density = k_flow_density;  ///< [kg/m3]
+};
+template <class Material>
+MaterialValues values_of(const Material& material) {
+    return {all_values<BedLaws>(material), all_values<StressLaws>(material), material.density};
 }
 
 }  // namespace frana

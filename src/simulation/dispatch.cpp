@@ -8,6 +8,7 @@
 #include "mpm/pressure.h"
 #include "mpm/vector/kernels.h"
 #include "params/keys/laws.h"
+#include "physics/laws.h"
 
 namespace frana {
 
@@ -33,11 +34,12 @@ ParticleReport nodes_to_particles_stage(const ParticleTile& tile, const Particle
 ChosenStress stress_law(const Material& material, double gravity) {
     ChosenStress chosen;
     const std::string word = in_plane_stress(material);
+    const MaterialValues values = values_of(material);
     StressLaws::for_each([&]<class Law>() {
         if (word != Law::word) return;
-        if constexpr (requires { Law::acts(material); })
-            if (!Law::acts(material)) return;
-        chosen = Law::build(material, gravity);
+        if constexpr (requires { Law::acts(values); })
+            if (!Law::acts(values)) return;
+        chosen = Law::build(values, gravity);
     });
     return chosen;
 }

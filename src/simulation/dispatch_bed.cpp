@@ -9,6 +9,7 @@
 #include "mpm/bed_exchange.h"
 #include "mpm/vector/kernels.h"
 #include "params/keys/laws.h"
+#include "physics/laws.h"
 
 namespace frana {
 
@@ -87,7 +88,7 @@ void exchange_stage(const NodeRange& range, const BedExchange& laws, double dt, 
 template <class List, class Chosen>
 void set_exchange(const std::string& word, const Entrainment& entrainment, double density, Chosen& chosen) {
     List::for_each([&]<class Law>() {
-        if (word == Law::word) chosen = Law::build(entrainment, density);
+        if (word == Law::word) chosen = Law::build(all_values<List>(entrainment), density);
     });
 }
 
@@ -105,9 +106,9 @@ bool has_effect(const Builder& scene) {
 class FrictionBuilder {
   public:
     FrictionBuilder(const Material& m, const MaterialZones& z, NodeGrid& nodes, double g)
-        : material(m), zones(z), gravity(g), nodes_(nodes) {}
+        : material(values_of(m)), zones(z), gravity(g), words_(bed_friction_terms(m)), nodes_(nodes) {}
 
-    const Material& material;
+    const MaterialValues material;
     const MaterialZones& zones;
     const double gravity;  ///< [m/s2]
     NodeValue friction_coefficient() { return value(zones.friction_coefficient, material.bed_friction_coefficient()); }
@@ -117,7 +118,7 @@ class FrictionBuilder {
     NodeValue cohesion() { return value(zones.cohesion, material.cohesion.value_or(0)); }
 
     BedFriction build() {
-        for (const std::string& word : bed_friction_terms(material))
+        for (const std::string& word : words_)
             BedLaws::for_each([&]<class Law>() {
                 if (word != Law::word || !has_effect<Law>(*this)) return;
                 add(Law::build(*this));
@@ -155,6 +156,7 @@ class FrictionBuilder {
         std::visit([this](const auto& law) { add(law); }, one);
     }
 
+    std::vector<std::string> words_;  ///< of the material's laws
     NodeGrid& nodes_;
     BedFriction friction_;
 };
@@ -163,9 +165,9 @@ class FrictionBuilder {
 
 bool acts(const std::string& word, const Material& material, const MaterialZones& zones) {
     struct {
-        const Material& material;
+        MaterialValues material;
         const MaterialZones& zones;
-    } const scene{material, zones};
+    } const scene{values_of(material), zones};
     bool effect = false;
     BedLaws::for_each([&]<class Law>() { effect |= word == Law::word && has_effect<Law>(scene); });
     return effect;
@@ -179,8 +181,8 @@ bool sums_friction(const Material& material, const MaterialZones& zones, const E
     const bool by_place =
         std::any_of(std::begin(k_zone_rasters), std::end(k_zone_rasters),
                     [&](const ZoneRaster& zone) { return zone.of_bed_friction && (zones.*zone.raster).has_value(); });
-    return !only_voellmy || by_place || material.pore_pressure(material.density).active() ||
-           material.surface_pressure > 0 || entrainment.active();
+    return !only_voellmy || by_place || material.of<CoulombFriction>().pore_pressure(material.density).active() ||
+           material.of<CoulombFriction>().surface_pressure > 0 || entrainment.active();
 }
 
 void choose_node_stages(const Numerics& numerics, bool summed, Stages& stages) {
@@ -202,7 +204,7 @@ void use_fast_node_stages(const Numerics& numerics, bool summed, Stages& stages)
 }
 
 void choose_pore_pressure(const Material& material, const Numerics& numerics, Stages& stages) {
-    const PorePressure law = material.pore_pressure(material.density);
+    const PorePressure law = material.of<CoulombFriction>().pore_pressure(material.density);
     if (!law.active()) return;
     stages.fields = stages.fields | FieldMask{Field::pore_pressure};
     if (law.dilates()) stages.fields = stages.fields | FieldMask{Field::solid_fraction};
@@ -228,19 +230,22 @@ BedFriction make_friction(const Material& material, const MaterialZones& zones, 
         friction = FrictionBuilder(material, zones, nodes, gravity).build();
     const std::vector<std::string> terms = bed_friction_terms(material);
     const auto has = [&](const char* word) { return std::find(terms.begin(), terms.end(), word) != terms.end(); };
-    if (has(CoulombFriction::word)) friction.voellmy.friction_coefficient = material.bed_friction_coefficient();
-    if (has(TurbulentFriction::word)) friction.voellmy.inverse_turbulence = material.inverse_turbulence();
+    if (has(CoulombFriction::word))
+        friction.voellmy.friction_coefficient = material.of<CoulombFriction>().bed_friction_coefficient();
+    if (has(TurbulentFriction::word))
+        friction.voellmy.inverse_turbulence = material.of<TurbulentFriction>().inverse_turbulence();
     if (!friction.summed) friction.coefficient = {friction.voellmy.friction_coefficient};
-    friction.pore_pressure = material.pore_pressure(material.density);
+    friction.pore_pressure = material.of<CoulombFriction>().pore_pressure(material.density);
     return friction;
 }
 
 BedExchange make_exchange(const Entrainment& entrainment, const Material& material) {
     BedExchange laws;
     const double density = laws.density = material.density;
-    const PorePressure pores = material.pore_pressure(density);
+    const PorePressure pores = material.of<CoulombFriction>().pore_pressure(density);
     const double at_rest = pores.dissipates() ? pores.hydrostatic : pores.initial.ratio;
-    laws.bed = {entrainment.bed_pore_pressure_ratio.value_or(at_rest), pores.initial.solid_fraction};
+    laws.bed = {entrainment.of<MechanicalErosion>().bed_pore_pressure_ratio.value_or(at_rest),
+                pores.initial.solid_fraction};
     set_exchange<ErosionLaws>(entrainment.erosion, entrainment, density, laws.erosion);
     set_exchange<DepositionLaws>(entrainment.deposition ? "on" : "off", entrainment, density, laws.deposition);
     return laws;

@@ -105,7 +105,9 @@ Flow::Flow(const Ground& ground, const ParticleSet& particles, const Material& m
       numerics_(numerics),
       pool_(threads),
       stages_(choose_stages(material, zones, entrainment, numerics, kernels)),
-      state_(initial_state(ground, with_fields(particles, material.pore_pressure(material.density), stages_.fields))),
+      state_(initial_state(
+          ground,
+          with_fields(particles, material.of<CoulombFriction>().pore_pressure(material.density), stages_.fields))),
       laws_(make_laws(material, zones, entrainment, numerics, state_.nodes, tilt ? tilt->normal : numerics.gravity)),
       maxima_(state_.nodes.size()) {
     // Without references the levels remain zero, and the pressure is relative to zero.

@@ -66,7 +66,7 @@ struct PlaceValue {
     [[nodiscard]] std::string before() const { return std::string(kind) + " "; }
     [[nodiscard]] std::string after() const { return std::string(": ") + key; }
     [[nodiscard]] RunValue at(const std::string& name, double value, double negligible) const {
-        return {before() + name + after(), Words()(title, {name}), unit, value, 0, negligible};
+        return {before() + name + after(), worded(title, {name}), unit, value, 0, negligible};
     }
 };
 constexpr PlaceValue k_gauge_depth{"gauge", "max_depth_m", worded("greatest depth at gauge {1}"), "m"},
@@ -102,14 +102,13 @@ void add_sections(const RunResult& result, const Scene& scene, std::vector<RunVa
     }
 }
 
-/// Returns the place in a key of a gauge or cross-section, with the value's title; nothing for other keys.
-std::optional<std::pair<const char*, std::string>> place_in(const std::string& key) {
+/// Whether a key is that of a value at a gauge or cross-section.
+bool is_at_place(const std::string& key) {
     for (const PlaceValue& one : {k_gauge_depth, k_gauge_speed, k_section_discharge, k_section_volume}) {
         const std::string before = one.before(), after = one.after();
-        if (key.size() >= before.size() + after.size() && key.starts_with(before) && key.ends_with(after))
-            return std::pair(one.title, key.substr(before.size(), key.size() - before.size() - after.size()));
+        if (key.size() >= before.size() + after.size() && key.starts_with(before) && key.ends_with(after)) return true;
     }
-    return std::nullopt;
+    return false;
 }
 
 }  // namespace
@@ -132,12 +131,7 @@ std::vector<RunValue> reported_values(const RunResult& result, const Scene& scen
 bool is_value_key(const std::string& key) {
     return std::any_of(std::begin(k_run_statistics), std::end(k_run_statistics),
                        [&](const RunStatistic& row) { return key == row.key; }) ||
-           place_in(key).has_value();
-}
-
-std::string title_in(const RunValue& value, const Words& words) {
-    const auto place = place_in(value.key);
-    return place ? words(place->first, {place->second}) : words(value.title);
+           is_at_place(key);
 }
 
 RunStatistics run_statistics(const RunResult& result, double threshold) {

@@ -39,8 +39,8 @@ Raster intensity_classes(const RunResult& result, const HazardScheme& scheme);
 
 /// A value of a run whose error numerics.accuracy estimates.
 struct RunValue {
-    std::string key;    ///< "covered_area_m2", "gauge bridge: max_depth_m"
-    std::string title;  ///< "covered area", "depth at gauge bridge"
+    std::string key;  ///< "covered_area_m2", "gauge bridge: max_depth_m"
+    Sentence title;   ///< "covered area", "greatest depth at gauge {1}"
     std::string unit;
     double value = 0;
     double resolution = 0;  ///< error of its measurement, whatever the cell size's convergence
@@ -55,9 +55,6 @@ std::vector<RunValue> reported_values(const RunResult& result, const Scene& scen
 
 /// Whether a key is that of a value which some run may have.
 bool is_value_key(const std::string& key);
-
-/// Returns the value's title in a language.
-std::string title_in(const RunValue& value, const Words& words);
 
 /// Values by which studies compare runs.
 struct RunStatistics {

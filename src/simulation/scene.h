@@ -17,6 +17,7 @@
 #include "core/raster.h"
 #include "core/words/warning.h"
 #include "params/keys/shared_values.h"
+#include "physics/pore_pressure.h"
 
 namespace frana {
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "params/keys/laws.h"
+#include "physics/laws.h"
 #include "simulation/dispatch.h"
 
 namespace frana {
@@ -29,11 +30,12 @@ void add_bed(const Scene& scene, Terms& terms) {
     for (const std::string& law : bed_friction_terms(m)) {
         if (!acts(law, m, zones)) continue;
         terms.push_back(find_law(LawKind::bed_friction, law).sentence);
-        if (law == CoulombFriction::word && m.surface_pressure > 0) terms.emplace_back(worded("surface pressure"));
+        if (law == CoulombFriction::word && m.of<CoulombFriction>().surface_pressure > 0)
+            terms.emplace_back(worded("surface pressure"));
     }
     for (const ZoneRaster& zone : k_zone_rasters)
         if (zones.*zone.raster && zone.of_bed_friction) terms.push_back(zone.what + std::string(k_by_zones));
-    add_pores(m.pore_pressure(m.density), terms);
+    add_pores(m.of<CoulombFriction>().pore_pressure(m.density), terms);
 }
 
 void add_exchange(const Entrainment& entrainment, Terms& terms) {
@@ -121,8 +123,8 @@ std::vector<std::string> list_terms(const Scene& scene) {
     if (const std::string stress = in_plane_stress(material); stress != "none") {
         const Law& law = find_law(LawKind::in_plane_stress, stress);
         const bool bingham = stress == BinghamStress::word;
-        if (!bingham || material.viscosity > 0) terms.push_back(law.sentence);
-        if (bingham && material.yield_stress > 0) terms.push_back(law.yield_sentence);
+        if (!bingham || material.of<BinghamStress>().viscosity > 0) terms.push_back(law.sentence);
+        if (bingham && material.of<BinghamStress>().yield_stress > 0) terms.push_back(law.yield_sentence);
     }
     add_exchange(scene.entrainment, terms);
     add_numerics(numerics, terms);

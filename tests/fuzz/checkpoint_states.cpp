@@ -11,6 +11,7 @@
 #include <string>
 
 #include "app/store/checkpoint_file.h"
+#include "physics/laws.h"
 #include "simulation/simulation.h"
 
 namespace frana::fuzz {
@@ -28,8 +29,8 @@ Scene small_scene() {
             scene.terrain.at(r, c) = 100 + 0.5 * std::max(0.0, 50 - scene.grid.cell_centre(r, c).x);
     }
     scene.release = {{{{{{10, 20}, {18, 20}, {18, 28}, {10, 28}}, {}}}, 2}};
-    scene.material.friction_coefficient = 0.3;
-    scene.material.turbulence = 400;
+    scene.material.of<CoulombFriction>().friction_coefficient = 0.3;
+    scene.material.of<TurbulentFriction>().turbulence = 400;
     scene.time.end = 5;
     scene.time.frame_interval = 1;
     return scene;
@@ -44,14 +45,14 @@ Scene eventful_scene() {
     scene.entrainment.erosion = "shear-stress";
     scene.entrainment.erodible_depth = 0.5;
     scene.entrainment.deposition = true;
-    scene.entrainment.deposition_rate = 0.01;
-    scene.entrainment.deposition_shear = 1000;
-    scene.material.pore_pressure_ratio = 0.3;
-    scene.material.pore_fluid_density = 500;
-    scene.material.hydraulic_diffusivity = 0.1;
-    scene.material.solid_fraction = 0.59;
-    scene.material.critical_solid_fraction = 0.6;
-    scene.material.compressibility = 1e-5;
+    scene.entrainment.of<ShearStressDeposition>().deposition_rate = 0.01;
+    scene.entrainment.of<ShearStressDeposition>().deposition_shear = 1000;
+    scene.material.of<CoulombFriction>().pore_pressure_ratio = 0.3;
+    scene.material.of<CoulombFriction>().pore_fluid_density = 500;
+    scene.material.of<CoulombFriction>().hydraulic_diffusivity = 0.1;
+    scene.material.of<CoulombFriction>().solid_fraction = 0.59;
+    scene.material.of<CoulombFriction>().critical_solid_fraction = 0.6;
+    scene.material.of<CoulombFriction>().compressibility = 1e-5;
     scene.recording.gauges = {{"a", {30, 24}}};
     scene.recording.sections = {{"s", {{40, 10}, {40, 50}}}};
     scene.recording.interval = 0.5;
@@ -65,8 +66,8 @@ Scene published_scheme() {
     scene.numerics.scheme = Scheme::paper;
     scene.numerics.well_balanced = false;
     scene.numerics.slope_correction = SlopeCorrection::none;
-    scene.material.viscosity = 500;
-    scene.material.yield_stress = 100;
+    scene.material.of<BinghamStress>().viscosity = 500;
+    scene.material.of<BinghamStress>().yield_stress = 100;
     scene.numerics.transfer = Transfer::flip;
     return scene;
 }

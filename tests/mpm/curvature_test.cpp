@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "mpm/curvature.h"
+#include "physics/laws.h"
 #include "support/cases.h"
 
 namespace frana::test {
@@ -32,7 +33,7 @@ Rider ride(const Track& track, double start, double speed, double friction, bool
     how.minimum_depth = 1e-7;
     how.cfl = 0.05;  // a film's waves are slow, so its steps would be long
     Material material = water();
-    material.friction_coefficient = friction;
+    material.of<CoulombFriction>().friction_coefficient = friction;
     Flow flow(bench::sample_raster(grid, [&](Point p) { return track.bed(p.x); }), seeds, material, how, 1);
     Rider rider;
     while (flow.time() < time) rider.unsupported += flow.advance(time - flow.time()).nodes.unsupported;

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "mpm/flight.h"
+#include "physics/laws.h"
 #include "support/cases.h"
 
 namespace frana::test {
@@ -32,7 +33,7 @@ Flow film_on(const Strip& strip, int threads = 1) {
     how.cfl = strip.cfl;
     how.flight_drag = strip.drag;
     Material material = water();
-    material.friction_coefficient = strip.friction;
+    material.of<CoulombFriction>().friction_coefficient = strip.friction;
     return Flow(bench::sample_raster(grid, [&](Point p) { return strip.bed(p.x); }), seeds, material, how, threads);
 }
 

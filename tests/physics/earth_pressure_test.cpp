@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "bench/exact/solutions.h"
+#include "physics/laws.h"
 #include "physics/stress_earth_pressure.h"
 #include "support/cases.h"
 
@@ -52,7 +53,7 @@ double depth_error(bool with_law) {
     Material material = dry_friction(k_bed);
     if (with_law) {
         material.in_plane_stress = EarthPressureStress::word;
-        material.internal_friction_angle = k_inside;
+        material.of<EarthPressureStress>().internal_friction_angle = k_inside;
     }
     Flow flow(Raster(grid), seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open), 1,
               TiltedGravity{9.81 * sine, 0, 9.81 * cosine});

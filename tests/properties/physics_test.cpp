@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Properties of every flow: nothing is lost, density alone changes nothing, friction shortens the run-out.
+#include "physics/laws.h"
 #include "scene_tests.h"
 
 namespace frana::test {
@@ -31,7 +32,7 @@ TEST(Property, NothingIsLostAndNoHardEventOccurs) {
 TEST(Property, TwiceTheDensityChangesNothingWithoutViscosityAndYieldStress) {
     for_scenes(15, 6, [](Scene& scene, RandomNumbers& random, int number) {
         if (made_of(number) == Made::of_solids) scene = random_scene(random, Made::of_fluid);
-        scene.material.viscosity = scene.material.yield_stress = 0;
+        scene.material.of<BinghamStress>().viscosity = scene.material.of<BinghamStress>().yield_stress = 0;
         if (scene.structured) scene.structured->fluid_viscosity = 0;
         const RunResult light = run(scene, {});
         scene.material.density *= 2;
@@ -61,7 +62,7 @@ TEST(Property, MoreFrictionNeverIncreasesTheRunOutOnAPlane) {
         Scene scene = random_plane(random);
         double before = std::numeric_limits<double>::infinity(), front_before = before;
         for (const double angle : {4., 10., 16., 22., 28., 34.}) {
-            scene.material.friction_coefficient = std::tan(angle * M_PI / 180);
+            scene.material.of<CoulombFriction>().friction_coefficient = std::tan(angle * M_PI / 180);
             const RunResult result = run(scene, {});
             EXPECT_LE(reach(result), before) << angle << " degrees";
             EXPECT_LE(result.series.back().front_distance, front_before) << angle << " degrees";

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/geometry.h"
+#include "physics/laws.h"
 #include "simulation/release.h"
 #include "simulation/scene.h"
 #include "simulation/simulation.h"
@@ -48,8 +49,8 @@ Scene gully() {
                       {x + 17.75, y + 108.5}},
                      {}}};
     scene.release = {area};
-    scene.material.friction_coefficient = std::tan(12 * k_radians_of_degree);
-    scene.material.turbulence = 800;
+    scene.material.of<CoulombFriction>().friction_coefficient = std::tan(12 * k_radians_of_degree);
+    scene.material.of<TurbulentFriction>().turbulence = 800;
     scene.numerics.curvature = true;
     scene.time.end = 20;
     place_origin(scene);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "physics/laws.h"
 #include "simulation/scene.h"
 
 namespace frana::test {
@@ -79,11 +80,12 @@ Polygon random_star(RandomNumbers& random, const GridSpec& grid) {
 Material random_material(RandomNumbers& random) {
     Material material;
     material.density = random.between(1200, 2500);
-    material.friction_coefficient = std::tan(random.between(3, 30) * k_degree);
-    material.turbulence = random.once_in(3) ? material.turbulence : random.log_between(100, 3000);
+    material.of<CoulombFriction>().friction_coefficient = std::tan(random.between(3, 30) * k_degree);
+    material.of<TurbulentFriction>().turbulence =
+        random.once_in(3) ? material.of<TurbulentFriction>().turbulence : random.log_between(100, 3000);
     if (random.once_in(3)) {
-        material.viscosity = random.log_between(10, 2000);
-        material.yield_stress = random.log_between(10, 2000);
+        material.of<BinghamStress>().viscosity = random.log_between(10, 2000);
+        material.of<BinghamStress>().yield_stress = random.log_between(10, 2000);
     }
     return material;
 }
@@ -133,7 +135,7 @@ Scene random_scene(RandomNumbers& random, Made made) {
         }
         if (random.once_in(4)) {
             scene.entrainment.erosion = "growth";
-            scene.entrainment.growth_rate = random.log_between(1e-4, 1e-2);
+            scene.entrainment.of<GrowthErosion>().growth_rate = random.log_between(1e-4, 1e-2);
             scene.entrainment.erodible_depth = random.between(0.1, 1);
         }
     } else {
@@ -163,7 +165,7 @@ Scene random_plane(RandomNumbers& random) {
     area.thickness = random.between(0.5, 3);
     scene.release = {area};
     scene.material = random_material(random);
-    scene.material.friction_coefficient = 0;
+    scene.material.of<CoulombFriction>().friction_coefficient = 0;
     scene.time.end = 6;
     return scene;
 }

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/error.h"
+#include "physics/laws.h"
 #include "played_runs.h"
 #include "simulation/release.h"
 #include "support/problems.h"
@@ -90,7 +91,7 @@ Scene on_demand(const Scene& scene) {
 Scene eroding_by_place() {
     Scene scene = eventful();
     scene.entrainment.erosion = "growth";
-    scene.entrainment.growth_rate = 0.002;
+    scene.entrainment.of<GrowthErosion>().growth_rate = 0.002;
     scene.entrainment.erodible_depth = 0.2;
     scene.zones.erodible_depth = scene.terrain;
     scene.zones.erodible_depth->values.change_each_stored([](std::size_t cell, double& value) {

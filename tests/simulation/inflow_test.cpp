@@ -7,6 +7,7 @@
 
 #include "bench/set_up/setup.h"
 #include "core/error.h"
+#include "physics/laws.h"
 #include "simulation/arrivals.h"
 #include "simulation/simulation.h"
 #include "support/problems.h"
@@ -70,8 +71,8 @@ Scene channel_scene() {
     for (std::int64_t r = 0; r < scene.grid.rows; ++r)
         for (std::int64_t c = 0; c < scene.grid.columns; ++c)
             scene.terrain.at(r, c) = 100 - 0.1 * scene.grid.cell_size * static_cast<double>(c);
-    scene.material.friction_coefficient = 0.02;
-    scene.material.turbulence = 500;
+    scene.material.of<CoulombFriction>().friction_coefficient = 0.02;
+    scene.material.of<TurbulentFriction>().turbulence = 500;
     scene.numerics.slope_correction = SlopeCorrection::none;
     scene.numerics.boundary = Boundary::wall;
     scene.time.end = 20;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "physics/laws.h"
 #include "simulation/flow.h"
 #include "simulation/release.h"
 #include "simulation/simulation.h"
@@ -24,7 +25,7 @@ Scene plane_scene(double slope) {
     for (std::int64_t r = 0; r < scene.grid.rows; ++r)
         for (std::int64_t c = 0; c < scene.grid.columns; ++c)
             scene.terrain.at(r, c) = 200 - slope * scene.grid.cell_centre(r, c).x;
-    scene.material.friction_coefficient = 0.1;
+    scene.material.of<CoulombFriction>().friction_coefficient = 0.1;
     scene.time.end = 6;
     return scene;
 }
@@ -115,7 +116,7 @@ TEST(LateRelease, IsAddedOnTopOfOtherMaterial) {
 
 TEST(InitialVelocity, MovesTheCentroid) {
     Scene scene = plane_scene(0);
-    scene.material.friction_coefficient = 0;
+    scene.material.of<CoulombFriction>().friction_coefficient = 0;
     scene.release = {{{box(40, 40, 60, 60)}, 1}};
     scene.release[0].speed = 10;
     scene.release[0].azimuth = std::atan2(0.6, 0.8);

@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "physics/laws.h"
 #include "simulation/simulation.h"
 
 namespace frana {
@@ -33,8 +34,8 @@ inline Scene hillside() {
         }
     }
     scene.release = {{{box(10, 40, 40, 80)}, 3}};
-    scene.material.friction_coefficient = 0.35;
-    scene.material.turbulence = 400;
+    scene.material.of<CoulombFriction>().friction_coefficient = 0.35;
+    scene.material.of<TurbulentFriction>().turbulence = 400;
     scene.time.end = 12;
     scene.time.frame_interval = 2;
     return scene;
@@ -50,18 +51,18 @@ inline Scene eventful() {
     scene.walls = Raster(scene.grid, 0);
     for (std::int64_t r = 20; r < 30; ++r) scene.walls->at(r, 70) = 1;
     scene.material.bed_friction = {"coulomb", "turbulence", "cohesion"};
-    scene.material.cohesion = 200;
-    scene.material.pore_pressure_ratio = 0.3;
-    scene.material.pore_fluid_density = 500;
-    scene.material.hydraulic_diffusivity = 0.1;
-    scene.material.solid_fraction = 0.59;
-    scene.material.critical_solid_fraction = 0.6;
-    scene.material.compressibility = 1e-5;
+    scene.material.of<CohesiveFriction>().cohesion = 200;
+    scene.material.of<CoulombFriction>().pore_pressure_ratio = 0.3;
+    scene.material.of<CoulombFriction>().pore_fluid_density = 500;
+    scene.material.of<CoulombFriction>().hydraulic_diffusivity = 0.1;
+    scene.material.of<CoulombFriction>().solid_fraction = 0.59;
+    scene.material.of<CoulombFriction>().critical_solid_fraction = 0.6;
+    scene.material.of<CoulombFriction>().compressibility = 1e-5;
     scene.entrainment.erosion = "shear-stress";
     scene.entrainment.erodible_depth = 0.5;
     scene.entrainment.deposition = true;
-    scene.entrainment.deposition_rate = 0.01;
-    scene.entrainment.deposition_shear = 1000;
+    scene.entrainment.of<ShearStressDeposition>().deposition_rate = 0.01;
+    scene.entrainment.of<ShearStressDeposition>().deposition_shear = 1000;
     scene.recording.gauges = {{"a", {90, 60}}, {"b", {150, 60}}};
     scene.recording.sections = {{"s", {{100, 10}, {100, 110}}}};
     scene.recording.interval = 0.7;
@@ -73,7 +74,7 @@ inline Scene eventful() {
 // Long enough for most of it to come to rest, and for tiles at rest to be reactivated by a second mass.
 inline Scene resting() {
     Scene scene = hillside();
-    scene.material.friction_coefficient = 0.5;
+    scene.material.of<CoulombFriction>().friction_coefficient = 0.5;
     scene.release.push_back({{box(60, 50, 80, 70)}, 2});
     scene.release[1].start = 25;
     scene.time.end = 35;
@@ -97,8 +98,8 @@ inline Scene by_finite_volumes(Scene scene) {
 }
 inline Scene finite_volumes() {
     Scene scene = hillside();
-    scene.material.viscosity = 300;
-    scene.material.yield_stress = 50;
+    scene.material.of<BinghamStress>().viscosity = 300;
+    scene.material.of<BinghamStress>().yield_stress = 50;
     return by_finite_volumes(scene);
 }
 inline Scene eventful_volumes() {
@@ -124,8 +125,8 @@ inline Scene paper() {
     scene.numerics.scheme = Scheme::paper;
     scene.numerics.well_balanced = false;
     scene.numerics.slope_correction = SlopeCorrection::none;
-    scene.material.viscosity = 500;
-    scene.material.yield_stress = 100;
+    scene.material.of<BinghamStress>().viscosity = 500;
+    scene.material.of<BinghamStress>().yield_stress = 100;
     scene.numerics.transfer = Transfer::flip;
     scene.numerics.boundary = Boundary::wall;
     return scene;
@@ -134,7 +135,7 @@ inline Scene paper() {
 inline Scene earth_pressure() {
     Scene scene = hillside();
     scene.material.in_plane_stress = EarthPressureStress::word;
-    scene.material.internal_friction_angle = 31;
+    scene.material.of<EarthPressureStress>().internal_friction_angle = 31;
     scene.numerics.curvature = true;
     scene.zones.friction_coefficient = Raster(scene.grid, 0.3);
     return scene;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bench/exact/solutions.h"
+#include "physics/laws.h"
 #include "simulation/simulation.h"
 #include "support/cases.h"
 
@@ -106,7 +107,7 @@ TEST(Recorder, FluxAndHeadAreWithinTheBoundsOfTheMaximaAndChangeNothingElse) {
             scene.terrain.at(r, c) = 100 + std::max(0.0, 0.5 * (120 - 2.0 * static_cast<double>(c)));
     scene.release = {
         {{{{{600030, 5000040}, {600060, 5000040}, {600060, 5000080}, {600030, 5000080}}, {}}}, 2, {}, {}, false}};
-    scene.material.friction_coefficient = 0.3;
+    scene.material.of<CoulombFriction>().friction_coefficient = 0.3;
     scene.time.end = 8;
     const RunResult plain = run(scene, {});
     EXPECT_EQ(plain.find_raster("max_flux"), nullptr);

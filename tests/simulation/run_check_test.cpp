@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "physics/laws.h"
 #include "simulation/flow.h"
 #include "simulation/release.h"
 #include "simulation/run_check.h"
@@ -31,7 +32,7 @@ Scene slope(Of of) {
     area.outline = {{{{600020, 5000040}, {600040, 5000040}, {600040, 5000080}, {600020, 5000080}}, {}}};
     area.thickness = 2;
     scene.release = {area};
-    scene.material.friction_coefficient = 0.3;
+    scene.material.of<CoulombFriction>().friction_coefficient = 0.3;
     if (of != Of::mass) {
         scene.structured = StructuredMaterial{};
         scene.structured->solids = of == Of::solids;
@@ -81,7 +82,7 @@ TEST(RunProblem, AnOutlineARoundingErrorBeyondTheCellsIsNone) {
             area.thickness = 0.02 * scale;
             scene.release = {area};
             scene.numerics.minimum_depth = 2e-4 * scale;
-            scene.material.friction_coefficient = 0.364;
+            scene.material.of<CoulombFriction>().friction_coefficient = 0.364;
             scene.time.end = 0.3 * std::sqrt(scale);
             const RunResult result = run(scene, {});
             EXPECT_TRUE(result.run_problems.empty()) << describe(result.run_problems.front());
@@ -142,7 +143,8 @@ TEST(RunProblem, NonFiniteValuesOfEveryRasterAreHidden) {
     Scene scene = slope(Of::mass);
     scene.release[0].speed = 5;
     scene.entrainment.erosion = "growth";
-    scene.entrainment.growth_rate = scene.entrainment.erodible_depth = std::numeric_limits<double>::infinity();
+    scene.entrainment.of<GrowthErosion>().growth_rate = scene.entrainment.erodible_depth =
+        std::numeric_limits<double>::infinity();
     const RunResult result = run(scene, {});
     EXPECT_EQ(result.stop_reason, StopReason::non_finite);
     ASSERT_NE(result.find_raster("eroded_depth"), nullptr);
@@ -240,7 +242,7 @@ TEST(RunProblem, StrongSolidsMayRebound) {
 // One of the terrains on which `frana bench stability` fails: a needle one cell wide and 30 m high in the path.
 TEST(RunProblem, ASpeedAboveTheBoundEndsTheRunAtItsStep) {
     Scene scene = slope(Of::mass);
-    scene.material.friction_coefficient = 0.1;
+    scene.material.of<CoulombFriction>().friction_coefficient = 0.1;
     scene.numerics.curvature = false;  // with it the speed remains below the bound
     scene.terrain.at(30, 25) += 60;
     scene.terrain.at(30, 16) += 60;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "physics/laws.h"
 #include "simulation/run_warnings.h"
 #include "simulation/simulation.h"
 
@@ -20,7 +21,7 @@ Scene slide() {
     }
     scene.release = {
         {{{{{600030, 5000040}, {600060, 5000040}, {600060, 5000080}, {600030, 5000080}}, {}}}, 2, {}, {}, false}};
-    scene.material.friction_coefficient = 0.3;
+    scene.material.of<CoulombFriction>().friction_coefficient = 0.3;
     scene.time.end = 40;
     scene.time.frame_interval = 2;
     return scene;
@@ -166,7 +167,7 @@ TEST(Run, NoMoreThanAllOfAFlowIsThin) {
     Scene scene = slide();
     scene.release[0].outline = {{{{600010, 5000010}, {600238, 5000010}, {600238, 5000110}, {600010, 5000110}}, {}}};
     scene.release[0].thickness = 0.011;
-    scene.material.friction_coefficient = 0;
+    scene.material.of<CoulombFriction>().friction_coefficient = 0;
     scene.release[0].speed = 20;
     scene.release[0].azimuth = M_PI / 2;
     scene.numerics.minimum_depth = 0.01;
@@ -179,7 +180,7 @@ TEST(Run, NoMoreThanAllOfAFlowIsThin) {
 
 TEST(Run, NothingMovesBelowTheFrictionBound) {
     Scene scene = slide();
-    scene.material.friction_coefficient = 2;
+    scene.material.of<CoulombFriction>().friction_coefficient = 2;
     const RunResult result = run(scene, {});
     EXPECT_EQ(result.stop_reason, StopReason::still);
     for (const double v : result.raster("max_velocity").values) {
@@ -232,7 +233,7 @@ TEST(Run, EndsAtAFractionOfThePeakOfMomentum) {
 TEST(Run, ErosionIsInTheBudgetAndInTheRasters) {
     Scene scene = slide();
     scene.entrainment.erosion = "growth";
-    scene.entrainment.growth_rate = 5e-3;
+    scene.entrainment.of<GrowthErosion>().growth_rate = 5e-3;
     scene.entrainment.erodible_depth = 0.5;
     const RunResult result = run(scene, {});
     ASSERT_TRUE(result.exchanges);
@@ -260,11 +261,11 @@ TEST(Run, EveryRowOfTheSeriesClosesItsBalance) {
     scene.release[1].start = 5;
     scene.inflows = {{{{600100, 5000030}, {600100, 5000090}}, {{0, 20, 4}, {12, 20, 4}}, std::nullopt}};
     scene.entrainment.erosion = "growth";
-    scene.entrainment.growth_rate = 5e-3;
+    scene.entrainment.of<GrowthErosion>().growth_rate = 5e-3;
     scene.entrainment.erodible_depth = 0.5;
     scene.entrainment.deposition = true;
-    scene.entrainment.deposition_rate = 0.1;
-    scene.entrainment.deposition_shear = 15000;
+    scene.entrainment.of<ShearStressDeposition>().deposition_rate = 0.1;
+    scene.entrainment.of<ShearStressDeposition>().deposition_shear = 15000;
     scene.time.end = 30;
     const RunResult result = run(scene, {});
     const SeriesRow& last = result.series.back();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A run ends when run-out, area and deposit have stopped changing, and not before.
+#include "physics/laws.h"
 #include "played_runs.h"
 
 namespace frana {
@@ -56,8 +57,8 @@ TEST(Settling, NeverWhileItRunsOn) {
         for (std::int64_t c = 0; c < scene.grid.columns; ++c)
             scene.terrain.at(r, c) = 0.5 * 5 * static_cast<double>(400 - c);
     scene.release = {{{box(100, 30, 160, 70)}, 2}};
-    scene.material.friction_coefficient = 0.4;
-    scene.material.turbulence = 2;  // about half a metre a second
+    scene.material.of<CoulombFriction>().friction_coefficient = 0.4;
+    scene.material.of<TurbulentFriction>().turbulence = 2;  // about half a metre a second
     scene.time.end = 200;
     scene.time.stop_change = 0.001;
     const RunResult result = run(scene, {});
@@ -71,7 +72,7 @@ TEST(Settling, NeverBeforeItHasBegun) {
     Scene scene = hillside();
     scene.release[0].outline = {box(10, 40, 40, 80)};
     for (double& z : scene.terrain.values) z *= 0.01;
-    scene.material.friction_coefficient = 0.0045;  // the ground falls by 0.006
+    scene.material.of<CoulombFriction>().friction_coefficient = 0.0045;  // the ground falls by 0.006
     scene.time.end = 60;
     scene.time.stop_change = 0.001;
     const RunResult result = run(scene, {});

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/error.h"
+#include "physics/laws.h"
 #include "simulation/simulation.h"
 #include "support/problems.h"
 
@@ -23,7 +24,7 @@ Scene slope(double cell, double side, double thickness, bool fluid) {
     const double west = 15.2 * cell, south = 20.2 * cell;
     scene.release = {
         {{{{{west, south}, {west + side, south}, {west + side, south + side}, {west, south + side}}, {}}}, thickness}};
-    scene.material.friction_coefficient = 0.02;
+    scene.material.of<CoulombFriction>().friction_coefficient = 0.02;
     if (fluid) {
         scene.structured.emplace();
         scene.structured->manning = 0.02;

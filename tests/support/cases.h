@@ -8,6 +8,7 @@
 #include "bench/set_up/setup.h"
 #include "mpm/boundary.h"
 #include "mpm/shape.h"
+#include "physics/laws.h"
 #include "simulation/flow.h"
 
 namespace frana::test {
@@ -18,13 +19,13 @@ inline constexpr double k_gravity = 9.81;
 inline Material water() {
     Material material;
     material.density = 1000;
-    material.friction_coefficient = 0;
+    material.of<CoulombFriction>().friction_coefficient = 0;
     return material;
 }
 
 inline Material dry_friction(double angle_deg) {
     Material material = water();
-    material.friction_coefficient = std::tan(angle_deg * M_PI / 180);
+    material.of<CoulombFriction>().friction_coefficient = std::tan(angle_deg * M_PI / 180);
     return material;
 }
 

@@ -242,20 +242,6 @@ bool wants_document(const Arguments& words) {
     return std::find(words.begin(), words.end(), "--json") != words.end();
 }
 
-Json rows_of(const std::vector<std::vector<std::string>>& table) {
-    Json rows = Json::array();
-    for (std::size_t r = 1; r < table.size(); ++r) {
-        Json& row = rows.emplace_back(Json::object());
-        for (std::size_t i = 0; i < table[r].size(); ++i) {
-            const std::string& cell = table[r][i];
-            const auto whole = integer_from_text(cell);
-            const auto number = number_from_text(cell);
-            row[table[0][i]] = whole ? Json(*whole) : number ? Json(*number) : cell.empty() ? Json() : Json(cell);
-        }
-    }
-    return rows;
-}
-
 void print_document(const Json& document) {
     std::cout << json_text(document);
 }

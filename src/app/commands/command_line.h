@@ -131,10 +131,6 @@ std::string error_document(const Arguments& words, ExitCode code, const std::vec
 /// Whether the words of the command line ask for the document.
 bool wants_document(const Arguments& words);
 
-/// Returns the rows of a table, each with the titles of its first row as names; a number becomes one, an empty cell
-/// null.
-Json rows_of(const std::vector<std::vector<std::string>>& table);
-
 void print_document(const Json& document);
 
 }  // namespace frana::app

@@ -26,6 +26,7 @@
 #include "params/keys/plausible.h"
 #include "params/keys/scene_parameters.h"
 #include "params/keys/used_keys.h"
+#include "physics/friction_coulomb.h"
 #include "simulation/arrivals.h"
 #include "simulation/run_warnings.h"
 #include "simulation/scene.h"
@@ -148,8 +149,9 @@ std::map<std::string, std::string> resolved_choices(const SceneSpec& spec, const
     chosen["terrain.cell-size"] = shortest_text(grid.cell_size);
     chosen["terrain.bounds"] = extent_text(grid.bounds());
     chosen["terrain.resampling"] = ground.used.resampling;
-    if (spec.material.friction_angle || spec.material.friction_coefficient)
-        chosen["material.friction-coefficient"] = shortest_text(spec.material.bed_friction_coefficient());
+    if (spec.material.of<CoulombFriction>().friction_angle || spec.material.of<CoulombFriction>().friction_coefficient)
+        chosen["material.friction-coefficient"] =
+            shortest_text(spec.material.of<CoulombFriction>().bed_friction_coefficient());
     chosen["material.in-plane-stress"] = in_plane_stress(spec.material);
     chosen["numerics.cfl"] = shortest_text(courant_number(spec.numerics, spec.material));
     chosen["numerics.slope-correction"] = word_of(slope_correction(spec.numerics), k_slope_corrections);

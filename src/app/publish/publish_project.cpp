@@ -54,7 +54,9 @@ class ProjectWriter {
         const gis::ProjectGroup lines = outlines(), rasters = maps();
         for (const gis::ProjectGroup& group : {lines, rasters})
             if (!group.layers.empty()) project.groups.push_back(group);
-        for (const ResultRaster* row : frame_rasters(result_)) project.groups.push_back(frames(*row));
+        // A layer for each frame: of depth alone, else they hide the maps among them.
+        for (const ResultRaster* row : frame_rasters(result_))
+            if (row->name == "depth") project.groups.push_back(frames(*row));
         if (result_.has(raster_file("dtm")))
             project.groups.push_back({words_("Terrain"),
                                       {{named(words_("Terrain")),

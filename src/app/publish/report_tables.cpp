@@ -242,7 +242,7 @@ Document accuracy_tables(const AccuracyRecord& record, const Words& words) {
     Table values({words("value"), "", words("estimated error"), words("trend"), words("claimed")});
     for (const ValueEstimate& e : value_estimates(record)) {
         const std::string unit = " " + unit_sign(e.value.unit);
-        values.row({title_in(e.value, words), n.rounded(e.value.value) + unit,
+        values.row({e.value.title.in(words), n.rounded(e.value.value) + unit,
                     !std::isfinite(e.error)
                         ? words("not converged")
                         : n.rounded(e.error, 2) + unit + (e.value.value != 0 ? " (" + n(e.percent(), 2) + " %)" : ""),

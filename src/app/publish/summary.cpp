@@ -154,7 +154,7 @@ Json accuracy_json(const AccuracyRecord& record) {
     for (const AccuracyLevel& level : record.levels) json["levels"].push_back(level_json(level));
     for (const ValueEstimate& e : estimates) {
         json["values"].push_back({{"key", e.value.key},
-                                  {"title", e.value.title},
+                                  {"title", e.value.title.text()},
                                   {"unit", e.value.unit},
                                   {"value", e.value.value},
                                   {"estimated_error", e.error},
@@ -190,11 +190,11 @@ std::string estimate_lines(const std::vector<ValueEstimate>& estimates) {
     std::string text;
     for (const ValueEstimate& e : estimates) {
         if (e.is_zero) {
-            text += "  " + e.value.title + " 0 " + e.value.unit + " on all levels: no estimate\n";
+            text += "  " + e.value.title.text() + " 0 " + e.value.unit + " on all levels: no estimate\n";
             continue;
         }
         const bool is_stated = std::isfinite(e.error);
-        text += "  " + e.value.title + " " + number_text(e.value.value) + " " + e.value.unit +
+        text += "  " + e.value.title.text() + " " + number_text(e.value.value) + " " + e.value.unit +
                 (is_stated ? ", estimated error " + number_text(e.error, 2) + " " + e.value.unit : ", not converged");
         if (is_stated && e.value.value != 0) text += " (" + number_text(e.percent(), 2) + " %)";
         text += std::string("; ") + describe(e.convergence.trend);
@@ -222,7 +222,7 @@ std::string accuracy_verdict(const AccuracyRecord& record, const Words& words) {
     std::size_t unmet = 0;
     for (const ValueEstimate& e : estimates) {
         if (e.is_zero || e.is_within()) continue;
-        if (++unmet <= k_named) named.push_back(title_in(e.value, words) + " (" + error_text(e, words) + ")");
+        if (++unmet <= k_named) named.push_back(e.value.title.in(words) + " (" + error_text(e, words) + ")");
     }
     if (unmet > k_named) named.push_back(words("and {1} more", {std::to_string(unmet - k_named)}));
     return words("{1} is not claimed for {2} of {3} values, whose estimated error is greater: {4}; {5}",

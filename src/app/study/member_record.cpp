@@ -21,7 +21,7 @@ namespace frana::app::study {
 namespace {
 
 /// Increases with every change of what a record contains.
-constexpr std::uint32_t k_format = 4;
+constexpr std::uint32_t k_format = 5;
 constexpr std::size_t k_head_bytes = RecordHead::k_bytes - sizeof MemberRecord::member;
 
 void add_bytes(std::string& bytes, const void* from, std::size_t count) {
@@ -130,7 +130,7 @@ MemberRecord record_of(std::uint64_t member, const RunResult& result, const Scen
     record.failure = failure_of(result);
     for (const RunValue& value : reported_values(result, scene, threshold))
         record.figures.push_back({value.key, value.title, value.unit, value.value});
-    record.figures.push_back({"volume_m3", worded("volume"), "m3", result.volume_entered});
+    record.figures.push_back({"volume_m3", Sentence(worded("volume")), "m3", result.volume_entered});
     record.end = {stop_word(result.stop_reason),
                   scene.time.end,
                   motion_at_end(result).front,

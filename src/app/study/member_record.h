@@ -18,8 +18,8 @@ namespace frana::app::study {
 
 /// A value of a member that studies compare; the same ones in the same order for every member of a study.
 struct Figure {
-    std::string key;    ///< "runout_m", "gauge bridge: max_depth_m"
-    std::string title;  ///< "run-out"
+    std::string key;  ///< "runout_m", "gauge bridge: max_depth_m"
+    Sentence title;   ///< "run-out"
     std::string unit;
     double value = 0;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/accuracy/accuracy_case.h"
+#include "physics/laws.h"
 
 #include <algorithm>
 #include <array>
@@ -21,9 +22,9 @@ double block(Point p) {
 Material paper_material() {
     Material material = dry_friction(20);
     material.density = 1200;
-    material.turbulence = 200;
-    material.viscosity = 2e3;
-    material.yield_stress = 30;
+    material.of<TurbulentFriction>().turbulence = 200;
+    material.of<BinghamStress>().viscosity = 2e3;
+    material.of<BinghamStress>().yield_stress = 30;
     return material;
 }
 

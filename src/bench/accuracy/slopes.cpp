@@ -3,6 +3,7 @@
 
 #include "bench/accuracy/accuracy_case.h"
 #include "bench/exact/solutions.h"
+#include "physics/laws.h"
 
 namespace frana::bench {
 namespace {
@@ -132,7 +133,7 @@ CaseStatistics run_voellmy(double cell_size, Scheme scheme) {
     Slab slab;
     slab.slope_deg = k_plane_slope_deg;
     slab.material = dry_friction(k_plane_friction_deg);
-    slab.material.turbulence = k_turbulence;
+    slab.material.of<TurbulentFriction>().turbulence = k_turbulence;
     slab.time = k_plane_time;
     slab.travel = travel(k_plane_time);
     slab.speed = cosine * terminal * std::tanh(a * k_plane_time / terminal);
@@ -330,9 +331,10 @@ CaseStatistics run_slump(double cell_size, Scheme scheme) {
     setup.bed = Raster(grid, 0.0);
     setup.seeds = fill_lattice(grid, 2, 0, [](Point p) { return Seed{p.x < k_slump_block ? k_slump_depth : 0}; });
     setup.material.density = k_slump_density;
-    setup.material.friction_coefficient = 1e-6;
-    setup.material.surface_pressure = yield / *setup.material.friction_coefficient;
-    setup.material.turbulence = 0.2;
+    setup.material.of<CoulombFriction>().friction_coefficient = 1e-6;
+    setup.material.of<CoulombFriction>().surface_pressure =
+        yield / *setup.material.of<CoulombFriction>().friction_coefficient;
+    setup.material.of<TurbulentFriction>().turbulence = 0.2;
     setup.numerics = numerics_of(scheme, SlopeCorrection::normal, Boundary::wall);
     TimedFlow run(setup);
     run.advance_to(k_slump_time);
@@ -415,8 +417,8 @@ CaseStatistics run_conservation(double cell_size, Scheme scheme) {
     setup.seeds = fill_lattice(grid, 2, 0, [](Point p) { return Seed{p.x < 20 ? p.x / 3 : 0}; });
     setup.material = dry_friction(12);
     setup.material.density = 1200;
-    setup.material.viscosity = 10;
-    setup.material.turbulence = 200;
+    setup.material.of<BinghamStress>().viscosity = 10;
+    setup.material.of<TurbulentFriction>().turbulence = 200;
     setup.numerics = numerics_of(scheme, SlopeCorrection::none, Boundary::wall);
     TimedFlow run(setup);
     const double volume = run.model().volume();

@@ -6,6 +6,7 @@
 
 #include "mpm/boundary.h"
 #include "mpm/shape.h"
+#include "physics/laws.h"
 
 namespace frana::bench {
 namespace {
@@ -80,13 +81,13 @@ double interpolated(const NodeGrid& nodes, Point local) {
 Material water() {
     Material material;
     material.density = 1000;
-    material.friction_coefficient = 0;
+    material.of<CoulombFriction>().friction_coefficient = 0;
     return material;
 }
 
 Material dry_friction(double angle_deg) {
     Material material = water();
-    material.friction_coefficient = std::tan(angle_deg * k_degree);
+    material.of<CoulombFriction>().friction_coefficient = std::tan(angle_deg * k_degree);
     return material;
 }
 

@@ -18,6 +18,7 @@
 #include "core/thread_pool.h"
 #include "mpm/vector/kernels.h"
 #include "particles/particle_set.h"
+#include "physics/laws.h"
 
 namespace frana::bench {
 namespace {
@@ -185,10 +186,10 @@ Setup speed_sheet(double particles, bool mud) {
     });
     setup.material = dry_friction(12);
     setup.material.density = 2000;
-    setup.material.turbulence = 500;
+    setup.material.of<TurbulentFriction>().turbulence = 500;
     if (mud) {
-        setup.material.viscosity = 1000;
-        setup.material.yield_stress = 500;
+        setup.material.of<BinghamStress>().viscosity = 1000;
+        setup.material.of<BinghamStress>().yield_stress = 500;
     }
     setup.numerics = numerics_of(Scheme::standard, SlopeCorrection::normal, Boundary::open);
     return setup;
@@ -215,7 +216,7 @@ Setup speed_gullies(double particles) {
     });
     setup.material = dry_friction(12);
     setup.material.density = 300;
-    setup.material.turbulence = 2000;
+    setup.material.of<TurbulentFriction>().turbulence = 2000;
     setup.numerics = numerics_of(Scheme::standard, SlopeCorrection::normal, Boundary::open);
     return setup;
 }

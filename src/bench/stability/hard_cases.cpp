@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "bench/stability/stability.h"
+#include "physics/laws.h"
 #include "simulation/simulation.h"
 
 namespace frana::bench {
@@ -19,15 +20,16 @@ Setup with(const std::function<void(Material&)>& change) {
 }
 
 HardCase viscosity(const char* name, const char* what, double value) {
-    return {name, what, 8, [value] { return with([=](Material& m) { m.viscosity = value; }); }};
+    return {name, what, 8, [value] { return with([=](Material& m) { m.of<BinghamStress>().viscosity = value; }); }};
 }
 
 HardCase yield(const char* name, const char* what, double value) {
-    return {name, what, 8, [value] { return with([=](Material& m) { m.yield_stress = value; }); }};
+    return {name, what, 8, [value] { return with([=](Material& m) { m.of<BinghamStress>().yield_stress = value; }); }};
 }
 
 HardCase turbulence(const char* name, const char* what, double value) {
-    return {name, what, 15, [value] { return with([=](Material& m) { m.turbulence = value; }); }};
+    return {name, what, 15,
+            [value] { return with([=](Material& m) { m.of<TurbulentFriction>().turbulence = value; }); }};
 }
 
 // The usual cap on a plane of 25 degrees.
@@ -107,16 +109,18 @@ std::vector<HardCase> hard_material_cases() {
         {"viscous-and-yield", "1e4 Pa s and 1e4 Pa together", 8,
          [] {
              return with([](Material& m) {
-                 m.viscosity = 1e4;
-                 m.yield_stress = 1e4;
+                 m.of<BinghamStress>().viscosity = 1e4;
+                 m.of<BinghamStress>().yield_stress = 1e4;
              });
          }},
         turbulence("turbulence-1", "xi = 1 m/s2", 1),
         turbulence("turbulence-1e9", "xi = 1e9 m/s2", 1e9),
         {"atmosphere", "surface pressure of one atmosphere", 15,
-         [] { return with([](Material& m) { m.surface_pressure = 101325; }); }},
+         [] { return with([](Material& m) { m.of<CoulombFriction>().surface_pressure = 101325; }); }},
         {"steep-friction", "friction angle of 85 degrees", 15,
-         [] { return with([](Material& m) { m.friction_coefficient = std::tan(85 * k_degree); }); }},
+         [] {
+             return with([](Material& m) { m.of<CoulombFriction>().friction_coefficient = std::tan(85 * k_degree); });
+         }},
         {"rest-600s", "friction above the slope: nothing may move", 600, [] { return on_plane(40); }, displacement},
         {"just-below", "friction a tenth of a degree below the slope", k_slab_time, slab, slab_speed},
         {"ten-densities", "ten densities from 1 to 20 000 kg/m3", 8, {}, {}, ten_densities},

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "bench/set_up/setup.h"
+#include "physics/laws.h"
 #include "simulation/run_check.h"
 
 namespace frana::bench {
@@ -97,7 +98,7 @@ Setup usual_slide_on(double cell_size, const std::function<double(Point)>& bed) 
     setup.seeds = fill_lattice(setup.bed.grid, 2, 0, [](Point p) { return Seed{usual_cap(p)}; });
     setup.material = dry_friction(15);
     setup.material.density = 2000;
-    setup.material.turbulence = 500;
+    setup.material.of<TurbulentFriction>().turbulence = 500;
     setup.numerics = numerics_of(Scheme::standard, SlopeCorrection::normal, Boundary::open);
     return setup;
 }

@@ -18,6 +18,7 @@
 #include "params/keys/scene_parameters.h"
 #include "params/keys/scene_spec.h"
 #include "params/keys/zone_keys.h"
+#include "physics/friction_coulomb.h"
 
 namespace frana {
 namespace {
@@ -147,7 +148,7 @@ void check_friction_table(const SceneSpec& scene, const std::set<std::string>& g
 }
 
 void check_angles(const SceneSpec& scene, const std::string& file, Problems& problems) {
-    const Material& m = scene.material;
+    const CoulombFriction::Values& m = scene.material.of<CoulombFriction>();
     if (!m.friction_angle && !m.friction_coefficient) return;
     const double mu = m.bed_friction_coefficient(), bed_deg = std::atan(mu) * 180 / std::numbers::pi;
     const std::vector<Parameter>& parameters = scene_parameters();
@@ -171,7 +172,7 @@ void check_angles(const SceneSpec& scene, const std::string& file, Problems& pro
 }
 
 void check_pores(const SceneSpec& scene, const std::string& file, Problems& problems) {
-    const Material& m = scene.material;
+    const CoulombFriction::Values& m = scene.material.of<CoulombFriction>();
     const char* const time =
         m.pore_dissipation_time ? "material.pore-dissipation-time" : "material.hydraulic-diffusivity";
     if (m.pore_dissipation_time && m.hydraulic_diffusivity) {
@@ -179,7 +180,7 @@ void check_pores(const SceneSpec& scene, const std::string& file, Problems& prob
                       file + ": material.pore-dissipation-time", shortest_text(*m.pore_dissipation_time) + " s", "",
                       "Keep one of the two"});
     }
-    const PorePressure pores = m.pore_pressure(m.density);
+    const PorePressure pores = m.pore_pressure(scene.material.density);
     if (pores.dissipates() && !pores.active()) {
         problems.add({"is given without a pore pressure", std::string(file).append(": ").append(time), "", "",
                       "Set material.pore-pressure-ratio (one phase: or pore-fluid-density), or remove it"});
@@ -192,7 +193,7 @@ void check_pores(const SceneSpec& scene, const std::string& file, Problems& prob
     if (!(pores.hydrostatic < 1)) {
         problems.add({"is not less than that of the flow", file + ": material.pore-fluid-density",
                       shortest_text(m.pore_fluid_density) + " kg/m3",
-                      "less than material.density, " + shortest_text(m.density) + " kg/m3", "Lower it"});
+                      "less than material.density, " + shortest_text(scene.material.density) + " kg/m3", "Lower it"});
     }
 }
 
@@ -237,6 +238,7 @@ void check_pairs(const SceneSpec& scene, const std::string& file, Problems& prob
     const ReleaseSpec& release = scene.release;
     const ZonesSpec& zones = scene.zones;
     const Material& material = scene.material;
+    const CoulombFriction::Values& pores = material.of<CoulombFriction>();
     const auto by_attribute = [](const std::optional<SourceSpec>& source) {
         return source && source->kind == SourceSpec::Kind::attribute;
     };
@@ -255,14 +257,14 @@ void check_pairs(const SceneSpec& scene, const std::string& file, Problems& prob
          "Name the line, or remove the key"},
         {"release.direction", release.direction.has_value(), "release.velocity", release.velocity.has_value(),
          "Give the speed as well, or remove the key"},
-        {"material.compressibility", material.compressibility.has_value(), "material.solid-fraction",
-         material.solid_fraction || material.model == "structured", "Give the solid fraction at the start"},
-        {"material.compressibility", material.compressibility.has_value(), "material.critical-solid-fraction",
-         material.critical_solid_fraction || material.model != "structured", "Give the solid fraction of steady shear"},
-        {"material.solid-fraction", material.solid_fraction.has_value(), "material.critical-solid-fraction",
-         material.critical_solid_fraction.has_value(), "Give the solid fraction of steady shear"},
-        {"material.critical-solid-fraction", material.critical_solid_fraction.has_value(), "material.compressibility",
-         material.compressibility.has_value(), "Give it, or remove the key"},
+        {"material.compressibility", pores.compressibility.has_value(), "material.solid-fraction",
+         pores.solid_fraction || material.model == "structured", "Give the solid fraction at the start"},
+        {"material.compressibility", pores.compressibility.has_value(), "material.critical-solid-fraction",
+         pores.critical_solid_fraction || material.model != "structured", "Give the solid fraction of steady shear"},
+        {"material.solid-fraction", pores.solid_fraction.has_value(), "material.critical-solid-fraction",
+         pores.critical_solid_fraction.has_value(), "Give the solid fraction of steady shear"},
+        {"material.critical-solid-fraction", pores.critical_solid_fraction.has_value(), "material.compressibility",
+         pores.compressibility.has_value(), "Give it, or remove the key"},
         {"release.volume", by_attribute(release.volume), "release.perimeter", outlined, outline_remedy},
         {"release.start", by_attribute(release.start), "release.perimeter", outlined, outline_remedy},
         {"release.velocity", by_attribute(release.velocity), "release.perimeter", outlined, outline_remedy},

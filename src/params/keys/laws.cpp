@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/text.h"
+#include "physics/laws.h"
 
 namespace frana {
 namespace {
@@ -220,7 +221,7 @@ Texts bed_friction_terms(const Material& material) {
 
 std::string in_plane_stress(const Material& material) {
     if (material.in_plane_stress != "auto") return material.in_plane_stress;
-    if (!material.has_bingham_stress()) return "none";
+    if (!material.of<BinghamStress>().has_bingham_stress()) return "none";
     for (const std::string& word : bed_friction_terms(material))
         if (find_law(LawKind::bed_friction, word).reads_key("material.yield-stress")) return "none";
     return BinghamStress::word;

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "params/keys/scene_spec.h"
+#include "physics/law.h"
 
 namespace frana {
 

@@ -6,6 +6,7 @@
 #include "params/keys/declare.h"
 #include "params/keys/laws.h"
 #include "params/keys/used_keys.h"
+#include "physics/laws.h"
 
 namespace frana {
 
@@ -149,7 +150,7 @@ void add_keys_of(std::vector<Parameter>& list, Section section) {
     List::for_each([&]<class L>() {
         for_each_key<L>([&](const auto& key) {
             const auto member = [ section, at = key.member ](auto& scene) -> auto& {
-                return section(scene).*at;
+                return section(scene).template of<L>().*at;
             };
             if constexpr (requires { key.words; }) {
                 list.push_back(declare::option(key.name, member, key.words, key.meaning));

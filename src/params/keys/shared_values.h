@@ -8,13 +8,12 @@
 #include <vector>
 
 #include "core/default_values.h"
-#include "physics/laws.h"
+#include "physics/law_values.h"
 
 namespace frana {
 
-/// [material]: one phase, a sum of laws at the bed, a stress in the plane. Besides, the values of every law's keys,
-/// each in its header in src/physics.
-struct Material : BedLaws::Values, StressLaws::Values {
+/// [material]: one phase, a sum of laws at the bed, a stress in the plane; with the values of these laws' keys.
+struct Material : LawValues {
     std::optional<std::string> preset;
     std::string model = "voellmy-bingham";
     double density = k_flow_density;                   ///< [kg/m3]
@@ -23,7 +22,7 @@ struct Material : BedLaws::Values, StressLaws::Values {
 };
 
 /// [entrainment]
-struct Entrainment : ErosionLaws::Values, DepositionLaws::Values {
+struct Entrainment : LawValues {
     std::string erosion = "off";  ///< or the word of a law
     bool deposition = false;
     std::optional<double> erodible_depth;  ///< vertical, where MaterialZones has no value [m]

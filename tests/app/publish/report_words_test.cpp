@@ -2,6 +2,7 @@
 // Texts of a report that are composed of several rows of the tables of words.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "app/publish/publish.h"
@@ -25,10 +26,19 @@ TEST(ReportWords, TermsArePutIntoTheLanguagePartByPart) {
 }
 
 TEST(ReportWords, AValueAtAPlaceKeepsItsName) {
-    const RunValue depth{"gauge {1}: x: max_depth_m", "greatest depth at gauge {1}: x", "m", 2, 0, 0};
-    EXPECT_EQ(title_in(depth, k_german), "größte Fließtiefe am Messpunkt {1}: x");
-    EXPECT_EQ(title_in(depth, Words()), depth.title);
-    EXPECT_EQ(title_in({"runout_m", "run-out", "m", 2, 0, 0}, k_french), "distance de propagation");
+    RunResult result;
+    Scene scene;
+    scene.recording.gauges.push_back({"{1}: x", {}});
+    result.gauges.push_back({});
+    const GridSpec grid{0, 0, 1, 1, 1, "", 0, 0};
+    for (const char* name : {"max_depth", "max_velocity", "bed", "release"}) result.add(name, Raster(grid, 1.0));
+    const std::vector<RunValue> values = reported_values(result, scene, 0.5);
+    const auto title = [&](const std::string& key) {
+        return std::find_if(values.begin(), values.end(), [&](const RunValue& one) { return one.key == key; })->title;
+    };
+    EXPECT_EQ(title("gauge {1}: x: max_depth_m").in(k_german), "größte Fließtiefe am Messpunkt {1}: x");
+    EXPECT_EQ(title("gauge {1}: x: max_depth_m").text(), "greatest depth at gauge {1}: x");
+    EXPECT_EQ(title("runout_m").in(k_french), "distance de propagation");
 }
 
 /// Three levels whose only value settles slowly.

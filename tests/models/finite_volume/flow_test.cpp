@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "physics/laws.h"
 #include "simulation/finite_volume_flow.h"
 #include "simulation/stepped_run.h"
 #include "support/cases.h"
@@ -83,8 +84,8 @@ TEST(FiniteVolumes, ASlabMovesAsABlock) {
         const ParticleSet seeds =
             bench::fill_lattice(grid, 1, 0, [](Point p) { return bench::Seed{p.x < 500 ? 1.0 : 0.0}; });
         Material material = water();
-        material.friction_coefficient = k_friction;
-        material.turbulence = k_turbulence;
+        material.of<CoulombFriction>().friction_coefficient = k_friction;
+        material.of<TurbulentFriction>().turbulence = k_turbulence;
         FiniteVolumeFlow flow = flow_on(bed, seeds, material, volumes(Boundary::wall));
         flow.advance_to(k_time);
         const double drive = k_gravity * (sine - k_friction * cosine),
@@ -161,9 +162,9 @@ Rough run_rough(int threads, double viscosity) {
     const ParticleSet seeds =
         bench::fill_lattice(grid, 2, 0, [](Point p) { return bench::Seed{8 - 0.2 * std::hypot(p.x - 60, p.y - 80)}; });
     Material material = dry_friction(8);
-    material.turbulence = 800;
-    material.viscosity = viscosity;
-    material.yield_stress = 0.1 * viscosity;
+    material.of<TurbulentFriction>().turbulence = 800;
+    material.of<BinghamStress>().viscosity = viscosity;
+    material.of<BinghamStress>().yield_stress = 0.1 * viscosity;
     FiniteVolumeFlow flow(bed, walls, seeds, material, volumes(Boundary::open), threads);
     const double volume = flow.volume();
     flow.advance_to(20);
@@ -203,7 +204,7 @@ TEST(FiniteVolumes, ExchangeWithTheBedIsInTheBudget) {
         bench::fill_lattice(grid, 2, 0, [](Point p) { return bench::Seed{4 - 0.2 * std::hypot(p.x - 30, p.y - 40)}; });
     Entrainment entrainment;
     entrainment.erosion = "growth";
-    entrainment.growth_rate = 0.02;
+    entrainment.of<GrowthErosion>().growth_rate = 0.02;
     entrainment.erodible_depth = 0.5;
     FiniteVolumeFlow flow(bed, std::nullopt, seeds, dry_friction(10), volumes(Boundary::open), 1, {}, entrainment);
     const double start = flow.volume();
@@ -245,7 +246,7 @@ Thrown thrown(double cliff, double roughness) {
     const ParticleSet seeds = bench::fill_lattice(
         grid, 2, 0, [](Point p) { return bench::Seed{4 - 0.1 * std::hypot(p.x - 100, p.y - 100)}; });
     Material material = dry_friction(15);
-    material.turbulence = 1000;
+    material.of<TurbulentFriction>().turbulence = 1000;
     Flow particles(bed, seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open), 2);
     particles.advance_to(50);
     FiniteVolumeFlow cells = flow_on(bed, seeds, material, volumes(Boundary::open), 2);
@@ -299,7 +300,7 @@ TEST(FiniteVolumes, APileOnASlopeAboutAsSteepAsItsFrictionSlumpsAndStops) {
         return bench::Seed{std::max(0.0, 30 * (1 - x * x))};
     });
     Material material = dry_friction(34);
-    material.turbulence = 200;
+    material.of<TurbulentFriction>().turbulence = 200;
     Flow particles(bed, seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), 1);
     const Slid reference = slide(particles, 220);
     for (const double cfl : {0.8, 0.2}) {
@@ -338,7 +339,7 @@ TEST(FiniteVolumes, EnergiesOfASlabAreInBalance) {
     const ParticleSet seeds =
         bench::fill_lattice(grid, 1, 0, [](Point p) { return bench::Seed{p.x > 100 && p.x < 500 ? 1.0 : 0.0}; });
     Material material = dry_friction(10);
-    material.turbulence = 500;
+    material.of<TurbulentFriction>().turbulence = 500;
     FiniteVolumeFlow flow = flow_on(bed, seeds, material, volumes(Boundary::wall));
     EnergyWatch watch;
     StepStatistics first = flow.step(10), last = first;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "physics/laws.h"
 #include "simulation/finite_volume_flow.h"
 #include "support/cases.h"
 
@@ -17,7 +18,7 @@ Numerics cells_within(Boundary boundary) {
 Material debris(double ratio) {
     Material m = dry_friction(20);
     m.density = 2000;
-    m.pore_pressure_ratio = ratio;
+    m.of<CoulombFriction>().pore_pressure_ratio = ratio;
     return m;
 }
 
@@ -40,8 +41,8 @@ Ratios ratios(const FiniteVolumeFlow& flow) {
 // The first mode of Terzaghi's consolidation, exact for any steps: some hundred of them round 1e-16 each.
 TEST(PorePressureByFiniteVolumes, ConsolidatesWithTheSquareOfTheThickness) {
     Material m = debris(0.9);
-    m.pore_fluid_density = 1000;
-    m.hydraulic_diffusivity = 0.05;
+    m.of<CoulombFriction>().pore_fluid_density = 1000;
+    m.of<CoulombFriction>().hydraulic_diffusivity = 0.05;
     const GridSpec grid = bench::plain_grid(20, 20, 1);
     for (const double depth : {0.5, 2.0}) {
         const ParticleSet seeds = bench::fill_lattice(grid, 1, 0, [&](Point) { return bench::Seed{depth}; });
@@ -92,8 +93,8 @@ TEST(PorePressureByFiniteVolumes, SlidesABlockAsWithParticles) {
     const ParticleSet seeds =
         bench::fill_lattice(grid, 2, 0, [](Point p) { return bench::Seed{p.x > 20 && p.x < 240 ? 1.0 : 0.0}; });
     Material m = debris(k_ratio);
-    m.friction_coefficient = k_friction;
-    m.pore_dissipation_time = k_dissipation;
+    m.of<CoulombFriction>().friction_coefficient = k_friction;
+    m.of<CoulombFriction>().pore_dissipation_time = k_dissipation;
     const double exact = k_gravity * (std::sin(k_steep) * k_end -
                                       k_friction * std::cos(k_steep) *
                                           (k_end - k_ratio * k_dissipation * (1 - std::exp(-k_end / k_dissipation))));
@@ -117,9 +118,9 @@ TEST(PorePressureByFiniteVolumes, SlidesABlockAsWithParticles) {
 TEST(PorePressureByFiniteVolumes, IsMixedWithThatOfErodedMaterial) {
     Entrainment e;
     e.erosion = "growth";
-    e.growth_rate = 0.01;
+    e.of<GrowthErosion>().growth_rate = 0.01;
     e.erodible_depth = 5;
-    e.bed_pore_pressure_ratio = 0.3;
+    e.of<MechanicalErosion>().bed_pore_pressure_ratio = 0.3;
     const GridSpec grid = bench::plain_grid(120, 20, 1);
     const Raster bed = bench::sample_raster(grid, [](Point p) { return 0.4 * (120 - p.x); });
     const ParticleSet seeds = bench::fill_lattice(

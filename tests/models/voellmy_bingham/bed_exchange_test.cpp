@@ -6,6 +6,7 @@
 
 #include "physics/erosion_mechanical.h"
 #include "physics/erosion_shear_stress.h"
+#include "physics/laws.h"
 #include "support/cases.h"
 
 namespace frana::test {
@@ -51,7 +52,7 @@ class Growth : public testing::TestWithParam<Scheme> {};
 TEST_P(Growth, IsExponentialInTheDistanceAndConservesMassAndMomentum) {
     Entrainment e;
     e.erosion = "growth";
-    e.growth_rate = 5e-3;
+    e.of<GrowthErosion>().growth_rate = 5e-3;
     e.erodible_depth = 10;
     Flow flow = drifting_sheet(e, GetParam());
     const double volume = flow.volume(), momentum = momentum_x(flow), start = flow.centroid().x;
@@ -61,7 +62,7 @@ TEST_P(Growth, IsExponentialInTheDistanceAndConservesMassAndMomentum) {
     EXPECT_NEAR(sum_of(depths(flow, "eroded_depth")), flow.exchanged().eroded, 1e-12 * now);
     EXPECT_NEAR(momentum_x(flow), momentum, 1e-12 * momentum) << "what is taken up is at rest";
     // V = V_0 exp(E S), for the uniform sheet's mean distance; the step is of first order.
-    const double exact = volume * std::exp(*e.growth_rate * (flow.centroid().x - start));
+    const double exact = volume * std::exp(*e.of<GrowthErosion>().growth_rate * (flow.centroid().x - start));
     EXPECT_GT(exact, 1.05 * volume);
     EXPECT_NEAR(now - volume, exact - volume, 0.02 * (exact - volume));
 }
@@ -71,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(Schemes, Growth, testing::Values(Scheme::standard, Sche
 TEST(Growth, EndsWithTheErodibleLayer) {
     Entrainment e;
     e.erosion = "growth";
-    e.growth_rate = 0.5;
+    e.of<GrowthErosion>().growth_rate = 0.5;
     e.erodible_depth = 0.03;
     Flow flow = drifting_sheet(e);
     flow.advance_to(4);
@@ -95,7 +96,7 @@ SteadySlab steady_slab(const Entrainment& entrainment, double along, double spee
     });
     Material material = water();
     material.density = k_exchanged_density;
-    material.friction_coefficient = along / 9;
+    material.of<CoulombFriction>().friction_coefficient = along / 9;
     Flow flow(Raster(grid), seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), 1,
               TiltedGravity{along, 0, 9}, zones, entrainment);
     flow.advance_to(time);
@@ -115,13 +116,14 @@ TEST(ShearStressErosion, ErodesAtItsRateDownToItsPotentialDepth) {
     Entrainment e;
     e.erosion = "shear-stress";
     e.erodible_depth = 5;
-    e.critical_shear = 2000;
+    e.of<ShearStressErosion>().critical_shear = 2000;
     // tau = 2000 kg/m3 x 1 m x 2 m/s2 = 4 kPa: 2 kPa above the critical stress.
     EXPECT_NEAR(steady_slab(e, 2, 4, 1).eroded, 0.025, 0.01 * 0.025);
-    e.erosion_depth_per_kpa = 0.01;  // 0.02 m for 2 kPa, and 0.01 m for each kPa added by the growing slab
+    e.of<ShearStressErosion>().erosion_depth_per_kpa =
+        0.01;  // 0.02 m for 2 kPa, and 0.01 m for each kPa added by the growing slab
     const double depth = steady_slab(e, 2, 4, 3).eroded;
     EXPECT_NEAR(depth, 0.02 / (1 - 1e-5 * k_exchanged_density * 2), 0.01 * 0.02);
-    e.critical_shear = 4500;
+    e.of<ShearStressErosion>().critical_shear = 4500;
     EXPECT_EQ(steady_slab(e, 2, 4, 1).eroded, 0);
 }
 
@@ -129,9 +131,9 @@ TEST(MechanicalErosion, IsTheExcessOfStressOverMomentum) {
     Entrainment e;
     e.erosion = "mechanical";
     e.erodible_depth = 5;
-    e.bed_friction_angle = std::atan(0.1) * 180 / M_PI;
-    e.bed_cohesion = 500;
-    e.bed_pore_pressure_ratio = 0.2;
+    e.of<MechanicalErosion>().bed_friction_angle = std::atan(0.1) * 180 / M_PI;
+    e.of<MechanicalErosion>().bed_cohesion = 500;
+    e.of<MechanicalErosion>().bed_pore_pressure_ratio = 0.2;
     // Strength 500 + 0.8 x 18000 x 0.1 = 1940 Pa; the rate increases with the slab and as it slows down: a short time.
     const double rate = (4000 - 1940) / (k_exchanged_density * 4), time = 0.05;
     EXPECT_NEAR(steady_slab(e, 2, 4, time).eroded, rate * time, 0.03 * rate * time);
@@ -148,23 +150,23 @@ TEST(ErosionLaws, DoNothingAtZeroDepthOrSpeed) {
 TEST(Deposition, SettlesAtItsRateWhereStressIsBelowCapacity) {
     Entrainment e;
     e.deposition = true;
-    e.deposition_rate = 0.02;
-    e.deposition_shear = 5000;
+    e.of<ShearStressDeposition>().deposition_rate = 0.02;
+    e.of<ShearStressDeposition>().deposition_shear = 5000;
     // At rest on level ground: tau = 0, the full rate.
     EXPECT_NEAR(steady_slab(e, 0, 0, 5).deposited, 0.02 * 5, 1e-9);
     // Sliding: tau = rho d g_x decreases with the slab's thickness, d' = -w (1 - rho d g_x / tau_d).
     const double k = 0.02 * k_exchanged_density * 2 / 5000, limit = 5000 / (k_exchanged_density * 2);
     const double thickness = limit + (1 - limit) * std::exp(k * 4);
     EXPECT_NEAR(steady_slab(e, 2, 4, 4).deposited, 1 - thickness, 0.01 * (1 - thickness));
-    e.deposition_shear = 3500;
+    e.of<ShearStressDeposition>().deposition_shear = 3500;
     EXPECT_EQ(steady_slab(e, 2, 4, 1).deposited, 0);
 }
 
 TEST(Deposition, RemovesItsMomentum) {
     Entrainment e;
     e.deposition = true;
-    e.deposition_rate = 0.05;
-    e.deposition_shear = 1000;
+    e.of<ShearStressDeposition>().deposition_rate = 0.05;
+    e.of<ShearStressDeposition>().deposition_shear = 1000;
     Flow flow = drifting_sheet(e);
     const double volume = flow.volume(), momentum = momentum_x(flow);
     flow.advance_to(4);
@@ -177,8 +179,8 @@ TEST(Deposition, RemovesItsMomentum) {
 TEST(Deposition, IsNeverCompleteSoThatParticlesKeepAVolume) {
     Entrainment e;
     e.deposition = true;
-    e.deposition_rate = 10;
-    e.deposition_shear = 1000;
+    e.of<ShearStressDeposition>().deposition_rate = 10;
+    e.of<ShearStressDeposition>().deposition_shear = 1000;
     Flow flow = drifting_sheet(e);
     flow.advance_to(5);
     const ParticleSet& p = flow.particles();
@@ -204,15 +206,15 @@ TEST(BedExchange, SameBitsForAnyNumberOfThreads) {
     e.erosion = "shear-stress";
     e.erodible_depth = 1;
     e.deposition = true;
-    e.deposition_rate = 0.01;
-    e.deposition_shear = 1000;
+    e.of<ShearStressDeposition>().deposition_rate = 0.01;
+    e.of<ShearStressDeposition>().deposition_shear = 1000;
     const GridSpec grid = bench::plain_grid(100, 60, 2);
     const Raster bed =
         bench::sample_raster(grid, [](Point p) { return std::max(0.0, 0.5 * (120 - p.x)) + std::sin(0.2 * p.y); });
     const ParticleSet seeds = bench::fill_lattice(
         grid, 2, 0.5, [](Point p) { return bench::Seed{5 - 0.2 * std::hypot(p.x - 40, p.y - 60)}; });
     Material material = dry_friction(15);
-    material.turbulence = 300;
+    material.of<TurbulentFriction>().turbulence = 300;
     const auto end_state = [&](int threads) {
         Flow flow(bed, seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), threads,
                   std::nullopt, {}, e);

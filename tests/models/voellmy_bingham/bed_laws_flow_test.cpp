@@ -8,6 +8,7 @@
 #include "bench/set_up/setup.h"
 #include "params/keys/laws.h"
 #include "params/keys/zone_keys.h"
+#include "physics/laws.h"
 #include "physics/yield_ratio.h"
 #include "simulation/dispatch.h"
 #include "simulation/terms.h"
@@ -79,23 +80,23 @@ void expect_block(const Material& material, const std::function<double(double, d
 
 TEST(BedLaws, Cohesion) {
     Material m = material_of({"coulomb", "cohesion"});
-    m.friction_coefficient = 0.1;
-    m.cohesion = 1000;
+    m.of<CoulombFriction>().friction_coefficient = 0.1;
+    m.of<CohesiveFriction>().cohesion = 1000;
     expect_block(m, [](double, double) { return 0.1 * k_normal + 1000 / k_density; });
 }
 
 TEST(BedLaws, SurfacePressure) {
     Material m = material_of({"coulomb", "turbulence"});
-    m.friction_coefficient = 0.1;
-    m.turbulence = 300;
-    m.surface_pressure = 6000;
+    m.of<CoulombFriction>().friction_coefficient = 0.1;
+    m.of<TurbulentFriction>().turbulence = 300;
+    m.of<CoulombFriction>().surface_pressure = 6000;
     expect_block(m, [](double s, double) { return 0.1 * (k_normal + 6000 / k_density) + k_normal * s * s / 300; });
 }
 
 TEST(BedLaws, RammsYield) {
     Material m = material_of({"coulomb", "ramms-yield"});
-    m.friction_coefficient = 0.1;
-    m.ramms_yield_stress = 1500;
+    m.of<CoulombFriction>().friction_coefficient = 0.1;
+    m.of<RammsYield>().ramms_yield_stress = 1500;
     const double normal = k_density * k_normal;
     expect_block(
         m, [=](double, double) { return 0.1 * k_normal + 0.9 * 1500 * (1 - std::exp(-normal / 1500)) / k_density; });
@@ -103,22 +104,22 @@ TEST(BedLaws, RammsYield) {
 
 TEST(BedLaws, Manning) {
     Material m = material_of({"manning"});
-    m.manning = 0.1;
+    m.of<ManningFriction>().manning = 0.1;
     expect_block(m, [](double s, double) { return k_normal * 0.01 * s * s; });
 }
 
 TEST(BedLaws, Chezy) {
     Material m = material_of({"chezy"});
-    m.chezy = 8;
+    m.of<ChezyFriction>().chezy = 8;
     expect_block(m, [](double s, double) { return k_normal * s * s / 64; });
 }
 
 TEST(BedLaws, OBrienJulien) {
     Material m = material_of({"obrien-julien"});
-    m.yield_stress = 1000;
-    m.viscosity = 20;
-    m.laminar_resistance = 400;
-    m.manning = 0.06;
+    m.of<BinghamStress>().yield_stress = 1000;
+    m.of<BinghamStress>().viscosity = 20;
+    m.of<OBrienJulienFriction>().laminar_resistance = 400;
+    m.of<ManningFriction>().manning = 0.06;
     expect_block(m, [](double s, double) {
         return 1000 / k_density + 400 * 20 * s / (8 * k_density) + k_normal * 0.0036 * s * s;
     });
@@ -126,17 +127,17 @@ TEST(BedLaws, OBrienJulien) {
 
 TEST(BedLaws, Bingham) {
     Material m = material_of({"bingham"});
-    m.yield_stress = 2000;
-    m.viscosity = 400;
+    m.of<BinghamStress>().yield_stress = 2000;
+    m.of<BinghamStress>().viscosity = 400;
     const auto a = [](double s) { return 6 * 400 * s / 2000; };
     expect_block(m, [&](double s, double) { return 2000 / (k_density * ExactYieldRatio{}(a(s))); });
 }
 
 TEST(BedLaws, HerschelBulkley) {
     Material m = material_of({"herschel-bulkley"});
-    m.yield_stress = 1000;
-    m.consistency = 1500;
-    m.flow_index = 0.5;
+    m.of<BinghamStress>().yield_stress = 1000;
+    m.of<HerschelBulkleyExcess>().consistency = 1500;
+    m.of<HerschelBulkleyExcess>().flow_index = 0.5;
     // The bed stress at a speed, by bisection of the mean speed's closed form (index 1/2, 1 m thick).
     const auto speed = [](double x) {
         const double fraction = x / (1000 + x);
@@ -151,9 +152,9 @@ TEST(BedLaws, HerschelBulkley) {
 
 TEST(BedLaws, PouliquenForterre) {
     Material m = material_of({"pouliquen-forterre"});
-    m.friction_coefficient = 0.2;
-    m.fast_friction_angle = std::atan(0.6) * 180 / M_PI;
-    m.friction_length = 0.5;
+    m.of<CoulombFriction>().friction_coefficient = 0.2;
+    m.of<PouliquenForterreExcess>().fast_friction_angle = std::atan(0.6) * 180 / M_PI;
+    m.of<PouliquenForterreExcess>().friction_length = 0.5;
     expect_block(m, [](double s, double) {
         return k_normal * (s > 0 ? 0.2 + 0.4 / (1 + 0.136 * std::sqrt(k_normal) / (0.5 * s)) : 0.2);
     });
@@ -161,19 +162,19 @@ TEST(BedLaws, PouliquenForterre) {
 
 TEST(BedLaws, PorePressureThatDissipates) {
     Material m = material_of({"coulomb"});
-    m.friction_coefficient = 0.3;
-    m.pore_pressure_ratio = 0.8;
-    m.pore_dissipation_time = 4;
+    m.of<CoulombFriction>().friction_coefficient = 0.3;
+    m.of<CoulombFriction>().pore_pressure_ratio = 0.8;
+    m.of<CoulombFriction>().pore_dissipation_time = 4;
     expect_block(m, [](double, double t) { return 0.3 * k_normal * (1 - 0.8 * std::exp(-t / 4)); });
 }
 
 // A block whose friction recovers as the layer, 1 m thick, consolidates: closed form.
 TEST(BedLaws, PorePressureOfALayerThatConsolidatesIsOfSecondOrderInTime) {
     Material m = material_of({"coulomb"});
-    m.friction_coefficient = 0.3;
-    m.pore_pressure_ratio = 0.9;
-    m.pore_fluid_density = 800;
-    m.hydraulic_diffusivity = 0.2;
+    m.of<CoulombFriction>().friction_coefficient = 0.3;
+    m.of<CoulombFriction>().pore_pressure_ratio = 0.9;
+    m.of<CoulombFriction>().pore_fluid_density = 800;
+    m.of<CoulombFriction>().hydraulic_diffusivity = 0.2;
     const double T = 4 / (M_PI * M_PI * 0.2), time = 4, yield = 0.3 * k_normal;
     const auto motion = [&](double t) {  // speed, way
         const double e = std::exp(-t / T), push = k_along - yield * (1 - 0.4);
@@ -190,10 +191,10 @@ TEST(BedLaws, PorePressureOfALayerThatConsolidatesIsOfSecondOrderInTime) {
 
 TEST(BedLaws, SumOfThree) {
     Material m = material_of({"coulomb", "turbulence", "bingham"});
-    m.friction_coefficient = 0.05;
-    m.turbulence = 300;
-    m.yield_stress = 500;
-    m.viscosity = 100;
+    m.of<CoulombFriction>().friction_coefficient = 0.05;
+    m.of<TurbulentFriction>().turbulence = 300;
+    m.of<BinghamStress>().yield_stress = 500;
+    m.of<BinghamStress>().viscosity = 100;
     expect_block(m, [](double s, double) {
         return 0.05 * k_normal + k_normal * s * s / 300 + 500 / (k_density * ExactYieldRatio{}(6 * 100 * s / 500));
     });
@@ -203,7 +204,7 @@ TEST(BedLaws, SumOfThree) {
 // each one smooths the shear between the zones slightly.
 TEST(BedLaws, ZonesGiveEachPlaceItsOwnFriction) {
     Material m = material_of({"coulomb", "turbulence"});
-    m.friction_coefficient = 0.1;
+    m.of<CoulombFriction>().friction_coefficient = 0.1;
     MaterialZones zones;
     zones.friction_coefficient = Raster(bench::plain_grid(121, 16, 1), k_no_data);
     for (std::int64_t c = 0; c < 121; ++c) {
@@ -216,8 +217,8 @@ TEST(BedLaws, ZonesGiveEachPlaceItsOwnFriction) {
 
 TEST(BedLaws, SummedVoellmyIsUniformVoellmy) {
     Material m = material_of({"coulomb", "turbulence"});
-    m.friction_coefficient = 0.15;
-    m.turbulence = 200;
+    m.of<CoulombFriction>().friction_coefficient = 0.15;
+    m.of<TurbulentFriction>().turbulence = 200;
     MaterialZones same;
     same.turbulence = Raster(bench::plain_grid(130, 4, 1), 200);
     EXPECT_NEAR(slab_speed(m, 3, 10, same), slab_speed(m, 3, 10), 1e-9);
@@ -234,8 +235,8 @@ TEST(BedLaws, OfTheTableAreBuiltAndReadTheirZones) {
         Scene scene;
         scene.material = material_of({law.word});
         Material& m = scene.material;
-        m.friction_coefficient = 0.3;
-        m.turbulence = 500;
+        m.of<CoulombFriction>().friction_coefficient = 0.3;
+        m.of<TurbulentFriction>().turbulence = 500;
         bench::give_needed_keys<BedLaws>(m);
         const std::vector<std::string> terms = list_terms(scene);
         EXPECT_TRUE(std::any_of(terms.begin(), terms.end(),
@@ -260,13 +261,13 @@ class StaysAtRest : public testing::TestWithParam<std::string> {};
 
 TEST_P(StaysAtRest, NotOneBitMoves) {
     Material m = material_of({GetParam()});
-    m.friction_coefficient = 0.4;
-    m.fast_friction_angle = std::atan(0.6) * 180 / M_PI;
-    m.friction_length = 1;
-    m.cohesion = m.yield_stress = 30000;
-    m.ramms_yield_stress = 60000;  // reaches 14 kPa there
-    m.consistency = m.viscosity = 100;
-    m.flow_index = 0.5;
+    m.of<CoulombFriction>().friction_coefficient = 0.4;
+    m.of<PouliquenForterreExcess>().fast_friction_angle = std::atan(0.6) * 180 / M_PI;
+    m.of<PouliquenForterreExcess>().friction_length = 1;
+    m.of<CohesiveFriction>().cohesion = m.of<BinghamStress>().yield_stress = 30000;
+    m.of<RammsYield>().ramms_yield_stress = 60000;  // reaches 14 kPa there
+    m.of<HerschelBulkleyExcess>().consistency = m.of<BinghamStress>().viscosity = 100;
+    m.of<HerschelBulkleyExcess>().flow_index = 0.5;
     const GridSpec grid = bench::plain_grid(40, 40, 1);
     const Raster bed = bench::sample_raster(grid, [](Point p) { return (40 - p.x) * 0.2; });
     const ParticleSet seeds = bench::fill_lattice(

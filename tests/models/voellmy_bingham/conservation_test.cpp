@@ -3,6 +3,7 @@
 // nodes agree at every step, and the flow remains symmetric about y = 10 m.
 #include <gtest/gtest.h>
 
+#include "physics/laws.h"
 #include "support/cases.h"
 
 namespace frana::test {
@@ -19,8 +20,8 @@ Flow obstacle_flow(Scheme scheme) {
         grid, 2, 0, [](Point p) { return bench::Seed{p.x < 20 ? p.x / 3 * (1 - 0.01 * std::abs(p.y - 10)) : 0}; });
     Material material = dry_friction(12);
     material.density = 1200;
-    material.viscosity = 10;
-    material.turbulence = 200;
+    material.of<BinghamStress>().viscosity = 10;
+    material.of<TurbulentFriction>().turbulence = 200;
     return Flow(bed, seeds, material, numerics(scheme, SlopeCorrection::none, Boundary::wall), 1);
 }
 
@@ -76,7 +77,7 @@ TEST(ViscousPile, StepsByItsViscosityFromTheFirstOn) {
     const ParticleSet seeds =
         bench::fill_lattice(grid, 2, 0, [](Point p) { return bench::Seed{p.x > 50 && p.x < 150 ? 5.0 : 0.0}; });
     Material material = dry_friction(16.7);
-    material.viscosity = 1e6;
+    material.of<BinghamStress>().viscosity = 1e6;
     material.density = 2000;
     const Numerics numbers = numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall);
     const double bound = 0.25 * 10 * 10 / (2 * 1e6 / 2000);

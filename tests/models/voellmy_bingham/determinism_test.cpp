@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "physics/laws.h"
 #include "support/cases.h"
 
 namespace frana::test {
@@ -24,18 +25,18 @@ EndState end_state(int threads, Kind kind) {
     const ParticleSet seeds = bench::fill_lattice(
         grid, 2, 0.5, [](Point p) { return bench::Seed{8 - 0.2 * std::hypot(p.x - 60, p.y - 80)}; });
     Material material = dry_friction(10);
-    material.turbulence = 500;
+    material.of<TurbulentFriction>().turbulence = 500;
     if (kind == Kind::debris) {
-        material.pore_pressure_ratio = 0.7;
-        material.pore_fluid_density = 400;
-        material.hydraulic_diffusivity = 0.2;
-        material.solid_fraction = 0.59;
-        material.critical_solid_fraction = 0.6;
-        material.compressibility = 1e-5;
+        material.of<CoulombFriction>().pore_pressure_ratio = 0.7;
+        material.of<CoulombFriction>().pore_fluid_density = 400;
+        material.of<CoulombFriction>().hydraulic_diffusivity = 0.2;
+        material.of<CoulombFriction>().solid_fraction = 0.59;
+        material.of<CoulombFriction>().critical_solid_fraction = 0.6;
+        material.of<CoulombFriction>().compressibility = 1e-5;
     }
     if (kind == Kind::mud) {
-        material.viscosity = 500;
-        material.yield_stress = 50;
+        material.of<BinghamStress>().viscosity = 500;
+        material.of<BinghamStress>().yield_stress = 50;
     }
     Flow flow(bed, seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open), threads);
     flow.advance_to(12);

@@ -2,6 +2,7 @@
 // V-shaped gullies: the pressure of thin flow on a slope must not prevent the material in the gully from levelling.
 #include <gtest/gtest.h>
 
+#include "physics/laws.h"
 #include "support/cases.h"
 
 namespace frana::test {
@@ -44,7 +45,7 @@ double slumped_depth(double dx, double wall_deg) {
         return bench::Seed{8 * (1 - r2)};
     });
     Material material = dry_friction(15);
-    material.turbulence = 1000;
+    material.of<TurbulentFriction>().turbulence = 1000;
     Flow flow(bed, seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open), 1);
     flow.advance_to(6);
     double depth = 0, square = 0;
@@ -130,7 +131,7 @@ double speed_in_gully(double cfl, double waves) {
         return bench::Seed{p.x > 60 && p.x < 260 && std::abs(p.y - 200) < 60 ? 2.5 : 0};
     });
     Material material = dry_friction(std::atan(0.2) / k_degree);
-    material.turbulence = 2000;
+    material.of<TurbulentFriction>().turbulence = 2000;
     Numerics how = numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open);
     how.cfl = cfl;
     how.flight = false;

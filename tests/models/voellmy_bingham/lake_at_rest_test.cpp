@@ -4,6 +4,7 @@
 // 1e-12, a hundred times the spacing of doubles at 10 m times some hundred steps.
 #include <gtest/gtest.h>
 
+#include "physics/laws.h"
 #include "support/cases.h"
 
 namespace frana::test {
@@ -42,10 +43,10 @@ TEST_P(LakeAtRestOver, RemainsStill) {
     Material material = water();
     if (friction) {  // the paper's set
         material.density = 1200;
-        material.friction_coefficient = std::tan(20 * M_PI / 180);
-        material.turbulence = 200;
-        material.viscosity = 2e3;
-        material.yield_stress = 30;
+        material.of<CoulombFriction>().friction_coefficient = std::tan(20 * M_PI / 180);
+        material.of<TurbulentFriction>().turbulence = 200;
+        material.of<BinghamStress>().viscosity = 2e3;
+        material.of<BinghamStress>().yield_stress = 30;
     }
     Flow flow(bed, seeds, material, numerics(Scheme::standard, slope, Boundary::wall), 1);
     const Flow::NodalFields before = flow.nodal_fields();

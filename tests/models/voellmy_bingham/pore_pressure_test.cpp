@@ -2,6 +2,7 @@
 // Pore pressure as a state of the particles: consolidation, carrying, and what it does to friction.
 #include <gtest/gtest.h>
 
+#include "physics/laws.h"
 #include "support/cases.h"
 
 namespace frana::test {
@@ -12,7 +13,7 @@ constexpr double k_rock = 2000;  // [kg/m3]
 Material debris(double ratio) {
     Material m = dry_friction(20);
     m.density = k_rock;
-    m.pore_pressure_ratio = ratio;
+    m.of<CoulombFriction>().pore_pressure_ratio = ratio;
     return m;
 }
 
@@ -45,8 +46,8 @@ Flow resting_layer(const Material& material, double depth, int threads = 1) {
 // The first mode of Terzaghi's consolidation, exact for any steps: some hundred of them round 1e-16 each.
 TEST(PorePressureOfAFlow, ConsolidatesWithTheSquareOfTheThickness) {
     Material m = debris(0.9);
-    m.pore_fluid_density = 1000;
-    m.hydraulic_diffusivity = 0.05;
+    m.of<CoulombFriction>().pore_fluid_density = 1000;
+    m.of<CoulombFriction>().hydraulic_diffusivity = 0.05;
     for (const double depth : {0.5, 2.0}) {
         Flow flow = resting_layer(m, depth);
         flow.advance_to(7.3);
@@ -60,7 +61,7 @@ TEST(PorePressureOfAFlow, ConsolidatesWithTheSquareOfTheThickness) {
 
 TEST(PorePressureOfAFlow, BeginsWhenMaterialArrives) {
     Material m = debris(0.8);
-    m.pore_dissipation_time = 4;
+    m.of<CoulombFriction>().pore_dissipation_time = 4;
     Flow flow = resting_layer(m, 1);
     flow.advance_to(4);
     const std::size_t before = flow.particles().size();
@@ -114,7 +115,7 @@ TEST(PorePressureOfAFlow, LowersFrictionWhereItIs) {
         seeds.push_back(row);
     }
     Material m = debris(0.5);
-    m.friction_coefficient = 0.2;
+    m.of<CoulombFriction>().friction_coefficient = 0.2;
     Flow flow(Raster(grid), seeds, m, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), 1,
               TiltedGravity{k_along, 0, k_normal});
     flow.advance_to(1);
@@ -135,9 +136,9 @@ TEST(PorePressureOfAFlow, LowersFrictionWhereItIs) {
 TEST(PorePressureOfAFlow, IsMixedWithThatOfErodedMaterial) {
     Entrainment e;
     e.erosion = "growth";
-    e.growth_rate = 0.01;
+    e.of<GrowthErosion>().growth_rate = 0.01;
     e.erodible_depth = 5;
-    e.bed_pore_pressure_ratio = 0.3;
+    e.of<MechanicalErosion>().bed_pore_pressure_ratio = 0.3;
     const GridSpec grid = bench::plain_grid(120, 20, 1);
     const Raster bed = bench::sample_raster(grid, [](Point p) { return 0.4 * (120 - p.x); });
     const ParticleSet seeds = bench::fill_lattice(
@@ -166,12 +167,14 @@ TEST(PorePressureOfAFlow, LooseAndDenseSlidesOfTheFlumeMoveAtThePublishedRates) 
     const auto slide = [&](double solid_fraction, double permeability) {
         Material m = dry_friction(38);
         m.density = 1900;
-        m.pore_fluid_density = 1000;
-        m.compressibility = 3.6e-6;
-        m.hydraulic_diffusivity = permeability / (*m.compressibility * 1e-3);  // of water, 1e-3 Pa s
-        m.solid_fraction = solid_fraction;
-        m.critical_solid_fraction = 0.56;
-        m.pore_pressure_ratio = 1.01 * (1 - std::tan(k_steep) / *m.friction_coefficient);
+        m.of<CoulombFriction>().pore_fluid_density = 1000;
+        m.of<CoulombFriction>().compressibility = 3.6e-6;
+        m.of<CoulombFriction>().hydraulic_diffusivity =
+            permeability / (*m.of<CoulombFriction>().compressibility * 1e-3);  // of water, 1e-3 Pa s
+        m.of<CoulombFriction>().solid_fraction = solid_fraction;
+        m.of<CoulombFriction>().critical_solid_fraction = 0.56;
+        m.of<CoulombFriction>().pore_pressure_ratio =
+            1.01 * (1 - std::tan(k_steep) / *m.of<CoulombFriction>().friction_coefficient);
         const double depth = k_thickness / std::cos(k_steep);
         const ParticleSet seeds =
             bench::fill_lattice(grid, 2, 0, [&](Point p) { return bench::Seed{p.x > 5 && p.x < 35 ? depth : 0}; });

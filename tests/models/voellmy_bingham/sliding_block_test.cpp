@@ -4,6 +4,7 @@
 // collapse.
 #include <gtest/gtest.h>
 
+#include "physics/laws.h"
 #include "support/cases.h"
 
 namespace frana::test {
@@ -61,7 +62,7 @@ TEST(SlidingBlock, WithoutCorrectionItIsTooFastByTheSquaredSecant) {
 TEST(VoellmyPlane, ReachesTheTerminalSpeed) {
     const double theta = 30 * M_PI / 180, phi = 15 * M_PI / 180, turbulence = 300;
     Material material = dry_friction(15);
-    material.turbulence = turbulence;
+    material.of<TurbulentFriction>().turbulence = turbulence;
     const double thickness = 1 * std::cos(theta);
     const double along = std::sqrt(turbulence * thickness * (std::sin(theta) - std::cos(theta) * std::tan(phi)));
     const double map_speed = along * std::cos(theta);

@@ -3,6 +3,7 @@
 // greatest depth is physics, not particles on one spot.
 #include <gtest/gtest.h>
 
+#include "physics/laws.h"
 #include "support/cases.h"
 
 namespace frana::test {
@@ -14,8 +15,8 @@ double greatest_at_wall(double dx, double jitter) {
         return bench::Seed{p.x > 60 && p.x < 180 ? 1.5 : 0.0, 10, 0};
     });
     Material material = water();
-    material.friction_coefficient = 0.15;
-    material.turbulence = 1000;
+    material.of<CoulombFriction>().friction_coefficient = 0.15;
+    material.of<TurbulentFriction>().turbulence = 1000;
     const double slope = 20 * M_PI / 180;
     Flow flow(Raster(grid, 0.0), seeds, material, numerics(Scheme::standard, SlopeCorrection::none, Boundary::wall), 1,
               TiltedGravity{k_gravity * std::sin(slope), 0, k_gravity * std::cos(slope)});

@@ -11,6 +11,7 @@
 #include "params/keys/scene_parameters.h"
 #include "params/keys/zone_keys.h"
 #include "params/scene/write_scene.h"
+#include "physics/laws.h"
 #include "scene_fixture.h"
 
 namespace frana {
@@ -177,7 +178,7 @@ TEST_F(Laws, VoellmyIsSplitAndNothingIsCountedTwice) {
 TEST_F(Laws, StressInThePlaneIsReplacedByTheBed) {
     Material material;
     EXPECT_EQ(in_plane_stress(material), "none");
-    material.viscosity = 50;
+    material.of<BinghamStress>().viscosity = 50;
     EXPECT_EQ(in_plane_stress(material), "bingham");
     material.bed_friction = {"bingham"};
     EXPECT_EQ(in_plane_stress(material), "none");
@@ -188,8 +189,8 @@ TEST_F(Laws, AnotherLawThanThePresetsDropsItsFriction) {
     const SceneReading reading =
         read(k_ground + "[material]\npreset = rock-avalanche\nbed-friction = manning\nmanning = 0.06\n");
     EXPECT_TRUE(reading.problems.empty()) << (reading.problems.empty() ? "" : describe(reading.problems.list()[0]));
-    EXPECT_FALSE(reading.scene.material.friction_coefficient);
-    EXPECT_FALSE(reading.scene.material.turbulence);
+    EXPECT_FALSE(reading.scene.material.of<CoulombFriction>().friction_coefficient);
+    EXPECT_FALSE(reading.scene.material.of<TurbulentFriction>().turbulence);
     EXPECT_TRUE(no_problem(problems(scene_text(reading.scene, {}))));
 }
 

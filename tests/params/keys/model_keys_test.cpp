@@ -3,6 +3,7 @@
 
 #include "params/keys/scene_parameters.h"
 #include "params/scene/write_scene.h"
+#include "physics/laws.h"
 #include "scene_fixture.h"
 
 namespace frana {
@@ -117,7 +118,7 @@ TEST(CourantNumber, IsSmallerWhereStepsAreOfFirstOrder) {
     EXPECT_EQ(number([](SceneSpec&) {}), 0.8);
     EXPECT_EQ(number([](SceneSpec& scene) { scene.numerics.scheme = Scheme::paper; }), 0.5);
     EXPECT_EQ(number([](SceneSpec& scene) { scene.material.model = "structured"; }), 0.5);
-    EXPECT_EQ(number([](SceneSpec& scene) { scene.material.yield_stress = 100; }), 0.8);
+    EXPECT_EQ(number([](SceneSpec& scene) { scene.material.of<BinghamStress>().yield_stress = 100; }), 0.8);
     EXPECT_EQ(number([](SceneSpec& scene) { scene.numerics.cfl = 0.3; }), 0.3);
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "params/scene/write_scene.h"
+#include "physics/laws.h"
 #include "scene_fixture.h"
 
 namespace frana {
@@ -155,8 +156,9 @@ TEST_F(OwnFrictionTable, KeysThatUseIt) {
     // It replaces what a preset, or an earlier source, gives.
     const SceneReading preset = read(k_table + "preset = snow-avalanche\nreturn-period = 30\n");
     EXPECT_TRUE(preset.problems.empty());
-    EXPECT_FALSE(preset.scene.material.turbulence || preset.scene.material.friction_coefficient ||
-                 preset.scene.material.friction_angle);
+    EXPECT_FALSE(preset.scene.material.of<TurbulentFriction>().turbulence ||
+                 preset.scene.material.of<CoulombFriction>().friction_coefficient ||
+                 preset.scene.material.of<CoulombFriction>().friction_angle);
     EXPECT_TRUE(problems(k_least, {"material.friction-table=ramms-avalanche", "material.return-period=30"}).empty());
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "physics/laws.h"
 #include "scene_fixture.h"
 
 namespace frana {
@@ -21,7 +22,7 @@ TEST_F(ReadScene, LeastSceneIsEnoughAndDefaultsAreTheDeclaredOnes) {
     EXPECT_EQ(reading.scene.origin_of("material.density"), Origin::default_value);
     EXPECT_EQ(reading.scene.origin_of("terrain.dtm"), Origin::scene_file);
     // tan 20 degrees = 0.36397023426620236 (twenty digits from tables); one rounding of pi and one of tan
-    EXPECT_NEAR(reading.scene.material.bed_friction_coefficient(), 0.36397023426620236, 1e-15);
+    EXPECT_NEAR(reading.scene.material.of<CoulombFriction>().bed_friction_coefficient(), 0.36397023426620236, 1e-15);
 }
 
 TEST_F(ReadScene, EveryProblemInOnePass) {
@@ -62,16 +63,16 @@ TEST_F(ReadScene, LaterSourcesOverrideEarlierOnes) {
         "[terrain]\ndtm = a\n[release]\nperimeter = b\nthickness = 1\n[material]\npreset = bindo\ndensity = "
         "1500\n");
     EXPECT_TRUE(from_preset.problems.empty());
-    EXPECT_EQ(from_preset.scene.material.friction_angle, 34);
-    EXPECT_EQ(from_preset.scene.material.yield_stress, 50);
+    EXPECT_EQ(from_preset.scene.material.of<CoulombFriction>().friction_angle, 34);
+    EXPECT_EQ(from_preset.scene.material.of<BinghamStress>().yield_stress, 50);
     EXPECT_EQ(from_preset.scene.material.density, 1500);
     EXPECT_EQ(from_preset.scene.origin_of("material.friction-angle"), Origin::preset);
 
     // The command line gives friction by the other key: it replaces, it does not contradict.
     const SceneReading overridden = read(k_least, {"material.friction-coefficient=0.25", "time.end = 12.5"});
     EXPECT_TRUE(overridden.problems.empty());
-    EXPECT_FALSE(overridden.scene.material.friction_angle);
-    EXPECT_EQ(overridden.scene.material.bed_friction_coefficient(), 0.25);
+    EXPECT_FALSE(overridden.scene.material.of<CoulombFriction>().friction_angle);
+    EXPECT_EQ(overridden.scene.material.of<CoulombFriction>().bed_friction_coefficient(), 0.25);
     EXPECT_EQ(overridden.scene.time.end, 12.5);
     EXPECT_EQ(overridden.scene.origin_of("time.end"), Origin::command_line);
 }

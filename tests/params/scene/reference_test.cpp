@@ -12,6 +12,7 @@
 #include "params/keys/materials.h"
 #include "params/keys/scene_parameters.h"
 #include "params/keys/used_keys.h"
+#include "physics/laws.h"
 #include "scene_fixture.h"
 
 namespace frana {
@@ -37,7 +38,7 @@ TEST(Parameters, EveryDefaultIsWithinItsOwnLimitsAndEveryKeyHasAMeaning) {
 TEST(Parameters, ResetRestoresTheDefault) {
     SceneSpec scene;
     scene.material.density = 1;
-    scene.material.friction_angle = 3;
+    scene.material.of<CoulombFriction>().friction_angle = 3;
     scene.terrain.bounds = Bounds{1, 2, 3, 4};
     for (const Parameter& parameter : scene_parameters()) {
         parameter.reset(scene);

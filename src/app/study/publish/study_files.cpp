@@ -49,7 +49,7 @@ struct ChartData {
 };
 
 std::string axis_label(const Figure& figure, const Words& words) {
-    return with_unit(figure_title(figure, words), figure.unit);
+    return with_unit(figure.title.in(words), figure.unit);
 }
 
 std::optional<render::Chart> exceedance(const ChartData& data, const std::string& title, const MapSource& source) {
@@ -61,7 +61,7 @@ std::optional<render::Chart> exceedance(const ChartData& data, const std::string
     for (std::size_t f = 0; f < result.figures().size() && chart.panels.size() < k_most_panels; ++f) {
         const Figure& figure = result.figures()[f];
         render::ChartPanel panel{
-            figure_title(figure, words), axis_label(figure, words), words("probability of more [-]"), {}, {0}};
+            figure.title.in(words), axis_label(figure, words), words("probability of more [-]"), {}, {0}};
         panel.series.push_back({"", k_colours[0], exceedance_curve(result.figure(f), result.finished.weights), 2.4});
         chart.panels.push_back(std::move(panel));
     }
@@ -87,7 +87,7 @@ std::optional<render::Chart> sensitivity(const ChartData& data, const std::strin
     for (const FigureSensitivity& figure : data.sensitivities) {
         if (chart.panels.size() == k_most_panels) break;
         render::ChartPanel panel{
-            figure_title(figure.figure, words),
+            figure.figure.title.in(words),
             by_effects ? axis_label(figure.figure, words)
                        : words(by_indices ? worded("fraction of the variance [-]") : worded("correlation [-]")),
             "",
@@ -138,15 +138,6 @@ std::vector<Point> exceedance_curve(const std::vector<double>& values, const std
         points.push_back({values[i], std::max(0.0, above)});
     }
     return points;
-}
-
-std::string figure_title(const Figure& figure, const Words& words) {
-    for (const char* of_a_place : {worded("greatest depth at gauge {1}"), worded("greatest speed at gauge {1}"),
-                                   worded("greatest discharge through {1}"), worded("volume through {1}")}) {
-        const std::string before(of_a_place, std::string(of_a_place).find("{1}"));
-        if (figure.title.starts_with(before)) return words(of_a_place, {figure.title.substr(before.size())});
-    }
-    return words(figure.title);
 }
 
 std::vector<ChartTitle> study_charts() {

@@ -22,9 +22,6 @@ namespace frana::app::study {
 /// Returns the fraction of the weight of members with more than each value: a staircase.
 std::vector<Point> exceedance_curve(const std::vector<double>& values, const std::vector<double>& weights);
 
-/// Returns the title of a figure of a study in a language: "run-out".
-std::string figure_title(const Figure& figure, const Words& words);
-
 /// Returns the charts that a study may have, in the order of the page.
 std::vector<ChartTitle> study_charts();
 

@@ -187,7 +187,7 @@ Document figures_table(const StudyResult& result, const Words& words) {
             std::isfinite(median.low) && std::isfinite(median.high)
                 ? words("{1} to {2}", {number.of_any_size(median.low), number.of_any_size(median.high)})
                 : "";
-        table.row({figure_title(figure, words), ReportNumbers::unit(figure.unit),
+        table.row({figure.title.in(words), ReportNumbers::unit(figure.unit),
                    number.of_any_size(result.mean_of(f).value), quantile(0.05), quantile(0.5), quantile(0.95),
                    of_median});
     }
@@ -323,7 +323,7 @@ Document effects_table(const StudyInput& input, const std::vector<FigureSensitiv
         });
         for (const std::size_t k : order) {
             const KeySensitivity& one = figure.keys[k];
-            table.row({figure_title(figure.figure, words), input.table.keys[k], interval_text(one.effect, words),
+            table.row({figure.figure.title.in(words), input.table.keys[k], interval_text(one.effect, words),
                        number(one.effect_scatter, 2), ReportNumbers::unit(figure.figure.unit)});
         }
     }
@@ -339,7 +339,7 @@ Document sensitivity_table(const StudyInput& input, const std::vector<FigureSens
     const ReportNumbers number(words);
     Table table({words("value"), words("key"), words("first order"), words("total"), words("rank correlation"), "Q2"});
     for (const FigureSensitivity& figure : figures) {
-        const std::string title = figure_title(figure.figure, words);
+        const std::string title = figure.figure.title.in(words);
         for (std::size_t k = 0; k < figure.keys.size(); ++k) {
             const KeySensitivity& one = figure.keys[k];
             table.row({title, input.table.keys[k], interval_text(one.first_order, words),
