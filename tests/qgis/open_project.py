@@ -45,7 +45,7 @@ def check_outline(layer):
     return symbol.symbolLayer(0)
 
 
-def check_frames(group, folder, name):
+def check_frames(group, folder):
     with open(os.path.join(folder, "frames", "frames.csv"), newline="") as table:
         rows = list(csv.DictReader(table))
     column = next(key for key in rows[0] if key.startswith("time"))
@@ -54,7 +54,7 @@ def check_frames(group, folder, name):
     assert len(layers) == len(times), (len(layers), len(times))
     ranges = []
     for layer in layers:
-        assert os.path.basename(layer.source()).startswith(name + "_"), layer.source()
+        assert os.path.basename(layer.source()).startswith("depth_"), layer.source()
         properties = layer.temporalProperties()
         assert properties.isActive(), layer.name() + " has no time"
         ranges.append(properties.fixedTemporalRange())
@@ -151,10 +151,9 @@ def check_project(folder, picture):
         assert layer.crs().authid() == "EPSG:32632", layer.crs().authid()
     groups = project.layerTreeRoot().children()
     names = [group.name().split(" – ")[0] for group in groups]
-    assert names == ["Outlines", "Maps", "Flow depth over time", "Flow velocity over time", "Terrain"], names
-    for group, quantity in ((groups[2], "depth"), (groups[3], "velocity")):
-        assert not group.isVisible()
-        check_frames(group, folder, quantity)
+    assert names == ["Outlines", "Maps", "Flow depth over time", "Terrain"], names
+    assert not groups[2].isVisible()
+    check_frames(groups[2], folder)
     assert project.timeSettings().temporalRange().begin().isValid(), "no temporal range"
     rasters = {os.path.basename(layer.source()): layer for layer in layers if isinstance(layer, QgsRasterLayer)}
     written = {name for name in os.listdir(folder) if name.endswith(".tif") and name != "bed.tif"}

@@ -196,7 +196,7 @@ def test_loading():
     groups = [child for child in root.children() if isinstance(child, QgsLayerTreeGroup)]
     assert [group.name() for group in groups] == ["My slope"], root.dump()
     inside = [child.name().split(" – ")[0] for child in groups[0].children()]
-    assert inside == ["Outlines", "Maps", "Flow depth over time", "Flow velocity over time", "Terrain"], inside
+    assert inside == ["Outlines", "Maps", "Flow depth over time", "Terrain"], inside
     layers = [node.layer() for node in root.findLayers()]
     assert len(layers) == len({layer.id() for layer in layers}) and all(layer.isValid() for layer in layers)
     by_file = {}
