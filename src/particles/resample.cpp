@@ -259,6 +259,56 @@ class TileResampler {
         return code;
     }
 
+    /// Merges the pairs of a cell whose unions are shortest, until it has no more than `most` particles.
+    template <class Drop>
+    void join_shortest(std::vector<std::size_t>& cell, std::size_t most, double limit,
+                       std::vector<std::uint8_t>& dropped, const Drop& drop) {
+        std::vector<Outline>& outlines = outlines_;
+        std::vector<double>& least = least_;
+        outlines.clear();
+        for (const std::size_t i : cell) outlines.push_back(outline(i));
+        // Half the trace of each pair merged: the least that its longest squared extent can be. Of particles that
+        // were merged away: infinite.
+        const std::size_t n = cell.size();
+        least.assign(n * n, k_merged_away);
+        const auto compare = [&](std::size_t a, std::size_t b) {
+            least[a * n + b] = merged_shape(outlines[a], outlines[b]).half_trace();
+        };
+        for (std::size_t a = 0; a < n; ++a)
+            for (std::size_t b = a + 1; b < n; ++b) compare(a, b);
+        for (std::size_t left = n; left > most; --left) {
+            // The pair whose union is shortest: it smooths least.
+            double best = limit * limit;
+            std::size_t best_a = 0, best_b = 0;
+            for (std::size_t a = 0; a < n; ++a) {
+                for (std::size_t b = a + 1; b < n; ++b) {
+                    if (least[a * n + b] >= best) continue;
+                    const double length2 = merged_shape(outlines[a], outlines[b]).largest_eigenvalue();
+                    if (length2 < best) {
+                        best = length2;
+                        best_a = a;
+                        best_b = b;
+                    }
+                }
+            }
+            if (best_b == 0) break;
+            const ParticleRow both = merged(row(cell[best_a]), row(cell[best_b]));
+            drop(cell[best_a]);
+            drop(cell[best_b]);
+            cell[best_a] = size_ + change_.added.size();
+            outlines[best_a] = Outline(both);
+            change_.added.push_back(both);
+            dropped.push_back(0);
+            ++change_.counts.merged;
+            for (std::size_t k = 0; k < n; ++k) {
+                double &first = least[std::min(best_a, k) * n + std::max(best_a, k)],
+                       &second = least[std::min(best_b, k) * n + std::max(best_b, k)];
+                second = k_merged_away;
+                if (k != best_a && first < k_merged_away) compare(std::min(best_a, k), std::max(best_a, k));
+            }
+        }
+    }
+
     void merge() {
         // Members of the cells that contain too many, cell after cell in their order; none of them splits
         // (ResampleLimits).
@@ -282,8 +332,6 @@ class TileResampler {
                 dropped[i - size_] = 1;
             }
         };
-        std::vector<Outline> outlines;
-        std::vector<double> least;
         std::vector<std::size_t> cell;
         for (std::size_t at = 0; at < k_cells; ++at) {
             if (ends[at] == ends[at + 1]) continue;
@@ -292,48 +340,7 @@ class TileResampler {
             const auto most = static_cast<std::size_t>(wanted(at).most);
             thin_out(cell, most, limit, dropped, drop);
             if (cell.size() <= most) continue;
-            outlines.clear();
-            for (const std::size_t i : cell) outlines.push_back(outline(i));
-            // Half the trace of each pair merged: the least that its longest squared extent can be. Of particles that
-            // were merged away: infinite.
-            const std::size_t n = cell.size();
-            least.assign(n * n, k_merged_away);
-            const auto compare = [&](std::size_t a, std::size_t b) {
-                least[a * n + b] = merged_shape(outlines[a], outlines[b]).half_trace();
-            };
-            for (std::size_t a = 0; a < n; ++a)
-                for (std::size_t b = a + 1; b < n; ++b) compare(a, b);
-            for (std::size_t left = n; left > most; --left) {
-                // The pair whose union is shortest: it smooths least.
-                double best = limit * limit;
-                std::size_t best_a = 0, best_b = 0;
-                for (std::size_t a = 0; a < n; ++a) {
-                    for (std::size_t b = a + 1; b < n; ++b) {
-                        if (least[a * n + b] >= best) continue;
-                        const double length2 = merged_shape(outlines[a], outlines[b]).largest_eigenvalue();
-                        if (length2 < best) {
-                            best = length2;
-                            best_a = a;
-                            best_b = b;
-                        }
-                    }
-                }
-                if (best_b == 0) break;
-                const ParticleRow both = merged(row(cell[best_a]), row(cell[best_b]));
-                drop(cell[best_a]);
-                drop(cell[best_b]);
-                cell[best_a] = size_ + change_.added.size();
-                outlines[best_a] = Outline(both);
-                change_.added.push_back(both);
-                dropped.push_back(0);
-                ++change_.counts.merged;
-                for (std::size_t k = 0; k < n; ++k) {
-                    double &first = least[std::min(best_a, k) * n + std::max(best_a, k)],
-                           &second = least[std::min(best_b, k) * n + std::max(best_b, k)];
-                    second = k_merged_away;
-                    if (k != best_a && first < k_merged_away) compare(std::min(best_a, k), std::max(best_a, k));
-                }
-            }
+            join_shortest(cell, most, limit, dropped, drop);
         }
         std::size_t kept = 0;
         for (std::size_t i = 0; i < change_.added.size(); ++i) {
@@ -342,6 +349,8 @@ class TileResampler {
         change_.added.resize(kept);
     }
 
+    std::vector<Outline> outlines_;  // of join_shortest
+    std::vector<double> least_;
     const ResampleLimits& limits_;
     const TileGrid& grid_;
     const ParticleSet& particles_;

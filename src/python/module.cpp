@@ -364,7 +364,7 @@ void add_errors(py::module_& module) {
     });
 }
 
-void add_scene(py::module_& module) {
+void add_problem(py::module_& module) {
     py::class_<Problem>(module, "Problem", "One problem of a scene.")
         .def_readonly("what", &Problem::what)
         .def_readonly("where", &Problem::where, "the key")
@@ -372,6 +372,9 @@ void add_scene(py::module_& module) {
         .def_readonly("limit", &Problem::limit)
         .def_readonly("remedy", &Problem::remedy)
         .def("__repr__", [](const Problem& p) { return "<frana.Problem " + p.where + ": " + p.what + ">"; });
+}
+
+void add_scene(py::module_& module) {
     py::class_<Scene>(
         module, "Scene",
         "What is computed: the ground, the mass that fails, and keys of scene files.\n\n"
@@ -523,6 +526,7 @@ PYBIND11_MODULE(_frana, module) {
     module.doc() = "The engine of frana; see the package frana.";
     module.attr("__version__") = frana::version();
     frana::python::add_errors(module);
+    frana::python::add_problem(module);
     frana::python::add_scene(module);
     frana::python::add_results(module);
 }

@@ -27,6 +27,35 @@ TEST(SourceFiles, NoFileIsTooLong) {
         EXPECT_LE(lines_of(file).size(), k_most_lines) << file << " is to be split";
 }
 
+// As clang-format lays them out: from the line that ends with the brace to the line with the closing one below its
+// first letter.
+TEST(SourceFiles, NoFunctionIsTooLong) {
+    constexpr std::size_t k_most_lines = 80;
+    const std::regex other(R"((if|for|while|switch|else|do|try|namespace|struct|class|enum|union|return)\b.*)");
+    std::size_t functions = 0;
+    for (const std::string& file : source_files({"src", "gis", "render"}, {".h", ".cpp"})) {
+        const auto lines = lines_of(file);
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            if (!lines[i].ends_with('{') || lines[i].find(')') == std::string::npos) continue;
+            std::size_t begin = i;
+            const auto open = [&](std::size_t line) {
+                return std::count(lines[line].begin(), lines[line].end(), ')') -
+                       std::count(lines[line].begin(), lines[line].end(), '(');
+            };
+            for (auto missing = open(i); missing > 0 && begin > 0; missing += open(begin)) --begin;
+            const std::size_t indent = std::min(lines[begin].find_first_not_of(' '), lines[begin].size());
+            const std::string code = lines[begin].substr(indent);
+            if (code.starts_with("}") || std::regex_match(code, other)) continue;
+            const std::string closing = std::string(indent, ' ') + '}';
+            std::size_t end = i + 1;
+            while (end < lines.size() && !lines[end].starts_with(closing)) ++end;
+            ++functions;
+            EXPECT_LE(end - begin + 1, k_most_lines) << file << ':' << begin + 1 << " is to be split: " << code;
+        }
+    }
+    EXPECT_GT(functions, 3000U) << "the search has found them";
+}
+
 std::size_t lines_in(const std::string& folder) {
     std::size_t lines = 0;
     for (const std::string& file : source_files({folder}, {".h", ".cpp"})) lines += lines_of(file).size();

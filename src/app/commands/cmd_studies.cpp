@@ -295,6 +295,17 @@ struct CalibrationByEvents {
     }
 };
 
+/// Members that are there already are those of this study. Throws Error(input).
+/// @param left an unfinished study that is continued  @param finished one that gets more members; empty: none
+void require_same_members(const std::string& identity, const std::string& left, const std::string& finished) {
+    if (!left.empty())
+        require_same_study(identity, read_text_file((std::filesystem::path(left) / k_record_identity).string()), left);
+    if (finished.empty()) return;
+    const study::JoinedRecords old = study::split_records(finished, nullptr);
+    require_same_study(identity_of_first(identity, old.members), identity_of_first(old.identity, old.members),
+                       finished);
+}
+
 /// Runs the members of a study, region or calibration and writes what they say together. Returns the exit code; throws
 /// Error.
 /// @param check_file throws Error(input) for the file of another command
@@ -351,14 +362,7 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
         refuse_study_beyond_memory(one, forecast_study(one, threads, false), threads,
                                    ranks.job ? ranks.job->ranks_here() : 1);
     const std::string left = resume ? interrupted : "";
-    if (!left.empty())
-        require_same_study(input.identity, read_text_file((std::filesystem::path(left) / k_record_identity).string()),
-                           left);
-    if (more) {
-        const study::JoinedRecords old = study::split_records(target, nullptr);
-        require_same_study(identity_of_first(input.identity, old.members), identity_of_first(old.identity, old.members),
-                           target);
-    }
+    require_same_members(input.identity, left, more ? target : "");
 
     catch_stop_signals();
     ResultDirectory directory(target, overwrite, !left.empty());

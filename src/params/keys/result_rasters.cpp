@@ -180,8 +180,9 @@ void set_flow_depths(std::vector<ResultRaster>& rows) {
                             row.name != "elevation_change";
 }
 
-std::vector<ResultRaster> make_table() {
-    Table table;
+constexpr double k_infinity = std::numeric_limits<double>::infinity();
+
+void add_run(Table& table) {
     ResultRaster& depth =
         table.flow("max_depth", "Maximum depth", "Maximum flow depth over time, vertical", "m", "depth", k_progressive);
     depth.is_surface = depth.has_view = true;
@@ -202,12 +203,13 @@ std::vector<ResultRaster> make_table() {
     table.add("bed", RasterKind::given, "Bed", "Sliding surface", "m", "", k_even);
 
     table.when("at the end of a run", nullptr);
-    constexpr double k_infinity = std::numeric_limits<double>::infinity();
     table
         .flow("elevation_change", "Change of elevation", "Deposit minus release and erosion, vertical", "m",
               "difference", k_even)
         .bounds = {-k_infinity, -10, -5, -2, -0.5, 0.5, 2, 5, 10, k_infinity};
+}
 
+void add_choices(Table& table) {
     table.when("with `material.friction-table`",
                [](const SceneSpec& scene) { return scene.friction_table.name.has_value(); });
     table
@@ -246,7 +248,9 @@ std::vector<ResultRaster> make_table() {
         .flow("jump_height", "Height of jumps", "Greatest height above the ground at which material flew over the cell",
               "m", "depth", k_progressive)
         .if_it_happens = true;
+}
 
+void add_structured(Table& table) {
     const char* const structured = "with the structured model";
     table.when(structured, [](const SceneSpec& scene) { return scene.material.model == "structured"; });
     const auto phase = [&](const char* name, const char* title, const char* description, const char* unit,
@@ -273,7 +277,13 @@ std::vector<ResultRaster> make_table() {
           "velocity", k_even);
     phase("released_water", "Released fluid", "Confined fluid released by the solids in the cell", "m", "depth",
           k_progressive);
+}
 
+std::vector<ResultRaster> make_table() {
+    Table table;
+    add_run(table);
+    add_choices(table);
+    add_structured(table);
     table.by("compare", "with a surveyed outline");
     table.add("comparison", RasterKind::classes, "Comparison with the survey",
               "Simulated trace against the observed outline: 1 hit, 2 false alarm, 3 miss", "", "depth", k_even);

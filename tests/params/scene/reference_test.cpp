@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 
 #include "core/json.h"
@@ -110,6 +112,23 @@ TEST(Reference, TheDocumentInShareIsWhatTheProgramPrints) {
     std::ifstream file(FRANA_SOURCE_SHARE "/doc/parameters.md");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     EXPECT_EQ(text, reference_markdown()) << "run: frana params --markdown > share/doc/parameters.md";
+}
+
+// A key costs a row, texts in five languages and refusals: one that nobody is told of goes.
+TEST(Reference, EveryKeyIsInASceneOrADocumentOfATask) {
+    namespace fs = std::filesystem;
+    std::string told;
+    for (const char* folder : {"", "/../sample_data"})
+        for (const fs::directory_entry& entry :
+             fs::recursive_directory_iterator(FRANA_SOURCE_SHARE + std::string(folder))) {
+            const fs::path& path = entry.path();
+            if ((path.extension() != ".md" && path.extension() != ".ini") || path.filename() == "parameters.md")
+                continue;
+            std::ifstream file(path);
+            told += ' ' + std::string{std::istreambuf_iterator<char>(file), {}};
+        }
+    for (const Parameter& key : scene_parameters())
+        EXPECT_TRUE(std::regex_search(told, std::regex("[^a-z-]" + key.key + "[^a-z-]"))) << key.name();
 }
 
 using ReferenceFile = SceneFixture;

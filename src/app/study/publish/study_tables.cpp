@@ -125,6 +125,30 @@ ShownFriction shown_friction(const StudyInput& input) {
     return shown;
 }
 
+namespace {
+
+Json figures_json(const StudyResult& result) {
+    Json json;
+    for (std::size_t f = 0; f < result.figures().size(); ++f) {
+        Json& figure = json[result.figures()[f].key];
+        figure["mean"] = result.mean_of(f).value;
+        figure["standard_error_of_mean"] = result.mean_of(f).error;
+        const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
+        for (const StudyQuantile& quantile : k_study_quantiles) {
+            const std::string name = std::string("q") + quantile.name;
+            const Interval of_q = result.quantile_of(f, quantile.fraction);
+            figure[name] = of_q.value;
+            figure["interval_95"][name] = {number(of_q.low), number(of_q.high)};
+            if (!result.open.any()) continue;
+            // Runs whose full reach is not known may have come farther: null is "more than q".
+            figure["upper_bound"][name] = number(result.quantile_bound(f, quantile.fraction));
+        }
+    }
+    return json;
+}
+
+}  // namespace
+
 std::string study_summary_json(const StudyInput& input, const StudyResult& result, const StudyFacts& facts) {
     const StudySpec& study = input.reading.study;
     const GridSpec& grid = result.grid;
@@ -175,21 +199,7 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
         table["of"] = shown.of;
         table["varied_by"] = shown.varied;
     }
-    for (std::size_t f = 0; f < result.figures().size(); ++f) {
-        Json& figure = json["figures"][result.figures()[f].key];
-        figure["mean"] = result.mean_of(f).value;
-        figure["standard_error_of_mean"] = result.mean_of(f).error;
-        const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
-        for (const StudyQuantile& quantile : k_study_quantiles) {
-            const std::string name = std::string("q") + quantile.name;
-            const Interval of_q = result.quantile_of(f, quantile.fraction);
-            figure[name] = of_q.value;
-            figure["interval_95"][name] = {number(of_q.low), number(of_q.high)};
-            if (!result.open.any()) continue;
-            // Runs whose full reach is not known may have come farther: null is "more than q".
-            figure["upper_bound"][name] = number(result.quantile_bound(f, quantile.fraction));
-        }
-    }
+    if (!result.figures().empty()) json["figures"] = figures_json(result);
     if (const auto& rare = facts.rare_place)
         json["rare_place"] = {{"gauge", rare->event.gauge},
                               {"depth_threshold_m", rare->event.threshold},
