@@ -227,7 +227,7 @@ void watch_over() {
 
 }  // namespace
 
-TimeLimit::TimeLimit(std::string where) : where_(std::move(where)), begun_(now()) {
+TimeLimit::TimeLimit(Place where) : where_(std::move(where)), begun_(now()) {
     Watch& w = watch();
     const std::lock_guard lock(w.guard);
     again();

@@ -67,7 +67,7 @@ class ReadingOnly {
 class TimeLimit {
   public:
     /// `where` names key and file.
-    explicit TimeLimit(std::string where);
+    explicit TimeLimit(Place where);
     ~TimeLimit();
     TimeLimit(const TimeLimit&) = delete;
     TimeLimit& operator=(const TimeLimit&) = delete;
@@ -81,7 +81,7 @@ class TimeLimit {
     [[nodiscard]] const std::string& where() const noexcept { return where_; }
 
   private:
-    std::string where_;
+    Place where_;
     std::int64_t begun_;                  ///< as the deadline
     std::atomic<std::int64_t> deadline_;  ///< [ms] of the steady clock
 };

@@ -118,7 +118,7 @@ void refuse_surplus_fields(const std::string& path, const std::string& place) {
     }
 }
 
-Table read_table(const std::string& path, const std::string& where) {
+Table read_table(const std::string& path, const Place& where) {
     const GdalSession session;
     const ReadingOnly reading;
     (void)pop_access_problem();

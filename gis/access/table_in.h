@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
+
 namespace frana::gis {
 
 /// Times of frames begin at 2000-01-01 00:00 UTC: CF conventions and QGIS need a date, and a scene has none.
@@ -24,6 +26,6 @@ void refuse_surplus_fields(const std::string& path, const std::string& place);
 
 /// Reads a CSV file with a header, before which lines may begin with #; comma, semicolon or tab between the columns.
 /// `where` names the key. Throws Error(input): missing file, not a table, no row, refuse_surplus_fields.
-Table read_table(const std::string& path, const std::string& where);
+Table read_table(const std::string& path, const Place& where);
 
 }  // namespace frana::gis

@@ -66,7 +66,7 @@ std::string layer_crs(const OGRSpatialReference* crs) {
     return wkt2(*crs);
 }
 
-std::string crs_from_user(const std::string& text, const std::string& where) {
+std::string crs_from_user(const std::string& text, const Place& where) {
     const GdalSession session;
     const auto error_of = [&](const std::string& what) {
         return Error(ErrorKind::input, Problem{what, where, text.empty() ? "nothing" : text, "", k_crs_remedy});

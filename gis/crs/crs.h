@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/error.h"
 #include "core/grid_spec.h"
 
 namespace frana::gis {
@@ -28,7 +29,7 @@ namespace frana::gis {
 
 /// Returns the WKT2:2019 of a user's text: "EPSG:32632", a PROJ string, any version of WKT. `where` names file and key
 /// for the message. Throws Error(input).
-std::string crs_from_user(const std::string& text, const std::string& where);
+std::string crs_from_user(const std::string& text, const Place& where);
 
 /// Returns the WKT2:2019 of a vector layer's CRS; "" if it has none, or one without a position on the Earth.
 std::string layer_crs(const OGRSpatialReference* crs);

@@ -97,7 +97,7 @@ GdalDataset opened(const std::string& path, const Refusal& refuse) {
 
 }  // namespace
 
-Logo read_logo(const std::string& path, const std::string& where) {
+Logo read_logo(const std::string& path, const Place& where) {
     const GdalSession session;
     const ReadingOnly reading;
     const TimeLimit limit(where + ": " + path);
@@ -207,7 +207,7 @@ PagePicture page_picture(const std::string& path, int most_columns, std::size_t 
 
 namespace {
 
-GdalDataset opened(const std::string& path, const std::string& crs_wkt, const std::string& where) {
+GdalDataset opened(const std::string& path, const std::string& crs_wkt, const Place& where) {
     const GdalSession session;
     const auto refuse = [&](const std::string& what, const std::string& value, const std::string& limit,
                             const std::string& remedy) {
@@ -271,7 +271,7 @@ std::optional<std::uint32_t> content_of(GDALDatasetH picture) {
 
 }  // namespace
 
-std::uint32_t check_picture(const std::string& path, const std::string& crs_wkt, const std::string& where) {
+std::uint32_t check_picture(const std::string& path, const std::string& crs_wkt, const Place& where) {
     const GdalSession session;
     const ReadingOnly reading;
     const TimeLimit limit(where + ": " + path);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "core/geometry.h"
 
 namespace frana::gis {
@@ -24,7 +25,7 @@ struct Logo {
 };
 
 /// Reads a PNG or JPEG file. `where` names the key or option. Throws Error(input).
-Logo read_logo(const std::string& path, const std::string& where);
+Logo read_logo(const std::string& path, const Place& where);
 
 /// A picture for a page of HTML.
 struct PagePicture {
@@ -41,7 +42,7 @@ PagePicture page_picture(const std::string& path, int most_columns, std::size_t 
 /// Checks that a file can be the background of a map: an orthophoto or a scanned or tiled map in bytes, in one band
 /// (grey or with a colour table) or three and more, with a position on the ground. `crs_wkt` is the map's. `where`
 /// names the key. Returns a checksum of its content; of a large file that of some hundred blocks. Throws Error(input).
-std::uint32_t check_picture(const std::string& path, const std::string& crs_wkt, const std::string& where);
+std::uint32_t check_picture(const std::string& path, const std::string& crs_wkt, const Place& where);
 
 /// Returns the part of such a file inside `box` in the map's CRS, warped by GDAL to the given number of pixels: red,
 /// green, blue and opacity of each, row by row from the top, colours multiplied by the opacity; 0 where the file has no

@@ -87,7 +87,7 @@ Method method_for(Resampling wanted, Point source_cells_per_cell) {
 }
 
 /// Adds the file's name to errors inside a transform, which do not contain it.
-[[noreturn]] void rethrow_naming(const std::string& path, const Error& error) {
+[[noreturn]] void rethrow_naming(const Place& path, const Error& error) {
     std::vector<Problem> problems = error.problems();
     for (Problem& problem : problems) {
         if (problem.where.empty()) problem.where = path;
@@ -171,7 +171,7 @@ struct RasterOnDemand::Parts {
 
 RasterOnDemand::RasterOnDemand(const std::string& path, const GridSpec& target, const std::string& source_crs_override,
                                Resampling resampling, const std::string& vertical_unit,
-                               std::optional<double> nodata_value, const std::string& where)
+                               std::optional<double> nodata_value, const Place& where)
     : parts_(std::make_unique<Parts>(path, where, target)) {
     const GdalSession session;
     Parts& p = *parts_;
@@ -234,9 +234,9 @@ void RasterOnDemand::read(const CellWindow& window, double* values) const {
 
 RasterRead read_raster_on(const std::string& path, const GridSpec& target, const std::string& source_crs_override,
                           Resampling resampling, const std::string& vertical_unit, std::optional<double> nodata_value,
-                          const std::string& where) {
+                          const Place& where) {
     const GdalSession session;
-    RasterSource source(path, where.empty() ? path : where);
+    RasterSource source(path, where.empty() ? Place(path) : where);
     if (nodata_value) source.declare_nodata(*nodata_value);
     const std::string crs = crs_of(source, target, source_crs_override);
     RasterRead read;
@@ -244,7 +244,7 @@ RasterRead read_raster_on(const std::string& path, const GridSpec& target, const
     try {
         read_onto(source, crs, resampling, vertical_unit, read);
     } catch (const Error& error) {
-        rethrow_naming(where.empty() ? path : where + ": " + path, error);
+        rethrow_naming(where.empty() ? Place(path) : where + ": " + path, error);
     }
     read.nodata_cells = std::count_if(read.raster.values.begin(), read.raster.values.end(),
                                       [](double value) { return std::isnan(value); });

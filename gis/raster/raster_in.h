@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "core/error.h"
 #include "core/raster.h"
 #include "core/words/sentence.h"
 #include "gis/crs/crs_transform.h"
@@ -42,7 +43,7 @@ struct RasterInfo {
 RasterInfo with_crs(RasterInfo info, const std::string& crs_wkt);
 
 /// Reads them. Throws Error(input): missing, not a raster, no position on the ground, no band. `where` names the key.
-RasterInfo inspect_raster(const std::string& path, const std::string& where);
+RasterInfo inspect_raster(const std::string& path, const Place& where);
 
 enum class Resampling {
     automatic,  ///< exact copy if the cells coincide, else average to coarser cells, bilinear to finer ones
@@ -69,7 +70,7 @@ struct RasterRead {
 /// Throws Error(input).
 RasterRead read_raster_on(const std::string& path, const GridSpec& target, const std::string& source_crs_override,
                           Resampling resampling, const std::string& vertical_unit = "auto",
-                          std::optional<double> nodata_value = std::nullopt, const std::string& where = {});
+                          std::optional<double> nodata_value = std::nullopt, const Place& where = {});
 
 /// A raster of which parts are resampled onto a grid on demand, with the values of read_raster_on. Between different
 /// CRS the places of cells are computed one by one, there interpolated within a hundredth of a cell.
@@ -78,7 +79,7 @@ class RasterOnDemand {
     /// Parameters and errors are those of read_raster_on.
     RasterOnDemand(const std::string& path, const GridSpec& target, const std::string& source_crs_override,
                    Resampling resampling, const std::string& vertical_unit, std::optional<double> nodata_value,
-                   const std::string& where);
+                   const Place& where);
     ~RasterOnDemand();
 
     /// Fills a window of the grid, row by row; NaN where the file has no data or does not reach. Throws Error(input).

@@ -103,17 +103,17 @@ std::optional<Sentence> NodataSuspicion::warning(const std::string& path) const 
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& what, const std::string& where, const std::string& path,
+[[noreturn]] void refuse(const std::string& what, const Place& where, const std::string& path,
                          const std::string& remedy) {
     throw Error(ErrorKind::input, Problem{what, where, path, "", remedy});
 }
 
 /// A refused access while the file was read is the cause of all errors that follow.
-void throw_if_refused(const std::string& where, const std::string& path) {
+void throw_if_refused(const Place& where, const std::string& path) {
     if (const auto cause = pop_access_problem()) refuse(cause->what + ": " + cause->value, where, path, cause->remedy);
 }
 
-GdalDataset open(const std::string& path, const std::string& where) {
+GdalDataset open(const std::string& path, const Place& where) {
     const GdalSession session;
     const ReadingOnly reading;
     (void)pop_access_problem();
@@ -175,7 +175,7 @@ Bounds bounds_of(const GeoTransform& g, double columns, double rows) {
 
 // A raster is read in blocks whose size the file sets. GDAL stores at least one of them, and for interleaved bands
 // those of all bands, however small the requested part.
-void refuse_huge_blocks(GDALDatasetH dataset, GDALRasterBandH band, const std::string& where, const std::string& path) {
+void refuse_huge_blocks(GDALDatasetH dataset, GDALRasterBandH band, const Place& where, const std::string& path) {
     constexpr double k_most_bytes = 1e9;
     int columns = 0, rows = 0;
     GDALGetBlockSize(band, &columns, &rows);
@@ -192,7 +192,7 @@ void refuse_huge_blocks(GDALDatasetH dataset, GDALRasterBandH band, const std::s
 
 }  // namespace
 
-RasterSource::RasterSource(const std::string& path, const std::string& where, bool accept_colour_table)
+RasterSource::RasterSource(const std::string& path, const Place& where, bool accept_colour_table)
     : where_(where), dataset_(open(path, where)) {
     const GdalSession session;
     const ReadingOnly reading;
@@ -299,7 +299,7 @@ RasterInfo with_crs(RasterInfo info, const std::string& crs_wkt) {
     return info;
 }
 
-RasterInfo inspect_raster(const std::string& path, const std::string& where) {
+RasterInfo inspect_raster(const std::string& path, const Place& where) {
     return RasterSource(path, where).info();
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "core/words/sentence.h"
 #include "gis/access/gdal_session.h"
 #include "gis/raster/raster_in.h"
@@ -68,7 +69,7 @@ class RasterSource {
   public:
     /// Throws Error(input) as inspect_raster. A class raster has a colour table, as pictures do: a colour table is
     /// accepted only if classes are expected.
-    RasterSource(const std::string& path, const std::string& where, bool accept_colour_table = false);
+    RasterSource(const std::string& path, const Place& where, bool accept_colour_table = false);
 
     [[nodiscard]] const RasterInfo& info() const noexcept { return info_; }
     [[nodiscard]] const GeoTransform& geo_transform() const noexcept { return geo_; }
@@ -99,7 +100,7 @@ class RasterSource {
     [[nodiscard]] std::vector<double> read_stored(const Window& window, int columns, int rows) const;
 
     RasterInfo info_;
-    std::string where_;  // for messages
+    Place where_;  // for messages
     GdalDataset dataset_;
     GDALRasterBandH band_ = nullptr;
     GeoTransform geo_{}, inverse_{};

@@ -127,7 +127,7 @@ void transform_all(ExposedLayer& layer, const std::string& target, const VectorS
 
 }  // namespace
 
-ExposedLayer read_exposed(const std::string& path, const std::string& target, const std::string& where,
+ExposedLayer read_exposed(const std::string& path, const std::string& target, const Place& where,
                           const std::string& name_column, const std::string& count_column) {
     const GdalSession session;
     const ReadingOnly reading;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "core/geometry.h"
 #include "gis/crs/crs_transform.h"
 #include "gis/vector/vector_style.h"
@@ -35,7 +36,7 @@ struct ExposedLayer {
 /// names the key. Throws Error(input): missing file, no CRS, no feature, an unknown column, a count that is no number,
 /// a place that cannot be transformed.
 /// @param name_column, count_column empty: none
-ExposedLayer read_exposed(const std::string& path, const std::string& target_crs_wkt, const std::string& where,
+ExposedLayer read_exposed(const std::string& path, const std::string& target_crs_wkt, const Place& where,
                           const std::string& name_column, const std::string& count_column);
 
 /// Writes such features with their attributes to a GeoPackage: a layer of areas, one of lines, one of points (those

@@ -35,7 +35,7 @@ Polyline line_of(const OGRFeature& feature, const VectorSource& source) {
 
 }  // namespace
 
-LineInputLayer read_lines(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
+LineInputLayer read_lines(const std::string& path, const std::string& target_crs_wkt, const Place& where) {
     const GdalSession session;
     const ReadingOnly reading;
     const VectorSource source = vector_source(path, where);
@@ -80,8 +80,7 @@ LineInputLayer read_lines(const std::string& path, const std::string& target_crs
     return read;
 }
 
-ValuedPoints read_valued_points(const std::string& path, const std::vector<std::string>& names,
-                                const std::string& where) {
+ValuedPoints read_valued_points(const std::string& path, const std::vector<std::string>& names, const Place& where) {
     const GdalSession session;
     const ReadingOnly reading;
     const VectorSource source = vector_source(path, where);
@@ -171,7 +170,7 @@ void transform_places(Marks& marks, const std::string& from, const std::string& 
 
 }  // namespace
 
-Marks read_marks(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
+Marks read_marks(const std::string& path, const std::string& target_crs_wkt, const Place& where) {
     const GdalSession session;
     const ReadingOnly reading;
     const VectorSource source = vector_source(path, where);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "core/geometry.h"
 #include "core/grid_spec.h"
 #include "gis/crs/crs_transform.h"
@@ -29,7 +30,7 @@ struct LineInputLayer {
 /// of several layers. A line of several parts that join end to end is one line; curves become straight segments,
 /// heights are dropped. `where` names the key. Throws Error(input): missing file, no CRS, no lines, parts that do not
 /// join.
-LineInputLayer read_lines(const std::string& path, const std::string& target_crs_wkt, const std::string& where);
+LineInputLayer read_lines(const std::string& path, const std::string& target_crs_wkt, const Place& where);
 
 /// Points of a vector layer with some of their numbers: `columns[k][i]` is the k-th requested number of point i.
 struct ValuedPoints {
@@ -39,8 +40,7 @@ struct ValuedPoints {
 
 /// Returns the points of the only point layer of a file, in its own coordinates, with the named numeric attributes.
 /// Throws Error(input): missing or damaged file, no such attribute.
-ValuedPoints read_valued_points(const std::string& path, const std::vector<std::string>& names,
-                                const std::string& where);
+ValuedPoints read_valued_points(const std::string& path, const std::vector<std::string>& names, const Place& where);
 
 struct NamedLine {
     std::string name;
@@ -67,6 +67,6 @@ struct Marks {
 /// "file.gpkg|layer=gauges"; without it all layers are read. Parts of a collection become separate features. A name is
 /// the attribute `name` (or NAME, Name, id), else a number from 1. Edges stay straight between their vertices. Throws
 /// Error(input): missing file, no CRS, nothing in it, a place that cannot be transformed.
-Marks read_marks(const std::string& path, const std::string& target_crs_wkt, const std::string& where);
+Marks read_marks(const std::string& path, const std::string& target_crs_wkt, const Place& where);
 
 }  // namespace frana::gis

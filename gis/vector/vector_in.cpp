@@ -59,13 +59,13 @@ PolygonFeature read_feature(const OGRFeature& from, const VectorSource& source, 
     };
     const OGRGeometry* geometry = from.GetGeometryRef();
     if (!geometry || geometry->IsEmpty()) {
-        warnings.add("empty", worded("{1}: feature {2} has no geometry and was left out", {source.where, number}));
+        warnings.add("empty", worded("{1}: feature {2} has no geometry and was left out", {source.where.text, number}));
         return feature;
     }
     PolygonParts parts = polygon_parts(*geometry);
     if (parts.closed_lines > 0) {
         warnings.add("line",
-                     worded("{1}: feature {2} is a closed line and was taken as an area", {source.where, number}));
+                     worded("{1}: feature {2} is a closed line and was taken as an area", {source.where.text, number}));
     }
     if (parts.unbounded > 0) {
         problem("has a coordinate that is non-finite or too large", "beyond " + shortest_text(k_furthest), "Redraw it");
@@ -92,7 +92,7 @@ PolygonFeature read_feature(const OGRFeature& from, const VectorSource& source, 
         return feature;
     }
     for (const Sentence& repair : check.repairs)
-        warnings.add("repair", worded("{1}: feature {2}: {3}", {source.where, number, repair}));
+        warnings.add("repair", worded("{1}: feature {2}: {3}", {source.where.text, number, repair}));
     for (const auto& polygon : check.polygons) {
         if (auto part = from_ogr(*polygon); part && area(*part) > 0) feature.parts.push_back(std::move(*part));
     }
@@ -226,7 +226,7 @@ bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const VectorS
     CountedTexts counted;
     for (const auto& [one, other, shared] : found) {
         counted.add("overlap", worded("{1}: areas {2} and {3} overlap by {4} square units",
-                                      {source.where, std::to_string(one + 1), std::to_string(other + 1),
+                                      {source.where.text, std::to_string(one + 1), std::to_string(other + 1),
                                        numeral(shortest_text(std::round(shared * 10) / 10))}));
     }
     for (Sentence& text : counted.texts()) warnings.push_back(std::move(text));
@@ -237,7 +237,7 @@ bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const VectorS
 
 }  // namespace
 
-PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt, const std::string& where,
+PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt, const Place& where,
                            const LayerChoice& choice) {
     const GdalSession session;
     const ReadingOnly reading;
@@ -290,7 +290,7 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
     return read;
 }
 
-std::set<std::string> filled_layers(const std::string& file, const std::string& where) {
+std::set<std::string> filled_layers(const std::string& file, const Place& where) {
     const GdalSession session;
     const VectorSource source = vector_source(file, where);
     const GDALDatasetUniquePtr dataset = open_vector(source, true);

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <vector>
 
+#include "core/error.h"
 #include "core/geometry.h"
 #include "core/words/sentence.h"
 #include "gis/crs/crs_transform.h"
@@ -42,11 +43,11 @@ struct LayerChoice {
 /// long edges are curved as by the projection (to 1 mm). An outline that touches itself is repaired with a warning; one
 /// that crosses itself is refused with the place. `where` names the key. Throws Error(input) with every feature's
 /// problem: missing file, no CRS, empty layer, no polygon, crossing (unless choice.keep_unusable).
-PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt, const std::string& where,
+PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt, const Place& where,
                            const LayerChoice& choice = {});
 
 /// Returns the names of the layers of a result's vector file that have a feature. Throws Error(input) if the file
 /// cannot be read completely.
-std::set<std::string> filled_layers(const std::string& file, const std::string& where);
+std::set<std::string> filled_layers(const std::string& file, const Place& where);
 
 }  // namespace frana::gis

@@ -185,7 +185,7 @@ Error refused(const VectorSource& source, const AccessProblem& cause) {
 
 }  // namespace
 
-VectorSource vector_source(const std::string& path, const std::string& where) {
+VectorSource vector_source(const std::string& path, const Place& where) {
     constexpr const char* k_mark = "|layer=";
     const std::string prefix = where.empty() ? "" : where + ": ";
     const std::size_t mark = path.find(k_mark);

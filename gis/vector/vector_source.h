@@ -16,10 +16,10 @@ namespace frana::gis {
 struct VectorSource {
     std::string file;
     std::string layer;  ///< empty: the only suitable one
-    std::string where;  ///< key and path, for messages
+    Place where;        ///< key and path, for messages
 };
 
-VectorSource vector_source(const std::string& path, const std::string& where);
+VectorSource vector_source(const std::string& path, const Place& where);
 
 /// Returns the problem of a source as Error(input); an access refused while it was read is the cause and is reported
 /// instead.

@@ -83,8 +83,20 @@ std::string join(const std::vector<Problem>& problems) {
 
 }  // namespace
 
+Place::Place(const char* words) : text(words) {
+    if (text.starts_with("--")) option = text.substr(0, text.find(' '));
+}
+
+Place Place::given(const std::string& before, const std::string& of_key) {
+    Place place(before.c_str());
+    place.text += of_key;
+    place.key = of_key;
+    if (place.option.empty()) place.file = before.substr(0, before.rfind(": "));
+    return place;
+}
+
 std::string describe(const Problem& problem) {
-    std::string text = problem.where.empty() ? problem.what : problem.where + ": " + problem.what;
+    std::string text = problem.where.empty() ? problem.what : problem.where.text + ": " + problem.what;
     if (!problem.value.empty() || !problem.limit.empty()) {
         text += " (";
         if (!problem.value.empty()) text += "value " + elided(problem.value, k_longest_value);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "core/words/sentence.h"
@@ -40,11 +41,35 @@ enum class ErrorKind {
     environment,  ///< disk full, unwritable output, missing font (exit code 4)
 };
 
+/// Where a problem is, for people and, in parts, for programs.
+struct Place {
+    Place() = default;
+    /// A file.
+    Place(std::string path) : text(path), file(std::move(path)) {}  // NOLINT(google-explicit-constructor)
+    /// An option, "--threads", or words: "command line".
+    Place(const char* words);  // NOLINT(google-explicit-constructor)
+    /// A key in a file.
+    Place(const std::string& in_file, const std::string& of_key)
+        : text(in_file + ": " + of_key), file(in_file), key(of_key) {}
+    /// A key with what is before it: "--set " or "study.ini: ".
+    static Place given(const std::string& before, const std::string& of_key);
+
+    operator const std::string&() const { return text; }  // NOLINT(google-explicit-constructor)
+    [[nodiscard]] bool empty() const noexcept { return text.empty(); }
+    /// Adds words.
+    Place& operator+=(const std::string& more) { return text += more, *this; }
+    friend Place operator+(Place place, const std::string& more) { return std::move(place += more); }
+    bool operator==(const Place& other) const { return text == other.text; }
+
+    std::string text;               ///< "scene.ini: material.friction-coefficient"
+    std::string file, key, option;  ///< empty: not known
+};
+
 /// One problem, in words for the user: what, where, the value, the limit it violates, the remedy. Empty parts are
 /// omitted from the message.
 struct Problem {
-    std::string what;    ///< "basal friction coefficient is out of range"
-    std::string where;   ///< "scene.ini: material.friction-coefficient"
+    std::string what;  ///< "basal friction coefficient is out of range"
+    Place where;
     std::string value;   ///< "3.2"
     std::string limit;   ///< "0 to 2"
     std::string remedy;  ///< "typical values are 0.05 to 0.4"

@@ -83,7 +83,7 @@ struct Scene::Data {
 inline constexpr const char* k_initial_fluid = "structured.initial-fluid-depth";
 
 /// Refuses more particles than the engine can number with 32 bits.
-inline void check_particle_count(double count, const std::string& where, Problems& problems) {
+inline void check_particle_count(double count, const Place& where, Problems& problems) {
     constexpr double k_most_particles = 1e9;
     if (count <= k_most_particles) return;
     problems.add({"would need more particles than can be counted", where, shortest_text(count),

@@ -42,7 +42,7 @@ MultiPolygon outline_of(const Release& release, const GridSpec& grid) {
     return area_of(release.outline);
 }
 
-bool check_outline(const MultiPolygon& outline, const GridSpec& grid, const std::string& where, Problems& problems) {
+bool check_outline(const MultiPolygon& outline, const GridSpec& grid, const Place& where, Problems& problems) {
     for (const frana::Polygon& polygon : outline) {
         const bool finite = std::all_of(polygon.outer.begin(), polygon.outer.end(),
                                         [](const frana::Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
@@ -58,7 +58,7 @@ bool check_outline(const MultiPolygon& outline, const GridSpec& grid, const std:
 }
 
 /// A number of the scene by the rule of the key that gives it in a file.
-bool check_number(const std::string& key, double value, const std::string& where, Problems& problems) {
+bool check_number(const std::string& key, double value, const Place& where, Problems& problems) {
     std::optional<frana::Problem> problem = problem_of_key(key, shortest_text(value));
     if (!problem) return true;
     problem->where = where;
@@ -66,7 +66,7 @@ bool check_number(const std::string& key, double value, const std::string& where
     return false;
 }
 
-bool check_thicknesses(std::span<const double> cells, const std::string& where, Problems& problems) {
+bool check_thicknesses(std::span<const double> cells, const Place& where, Problems& problems) {
     double least = 0, greatest = 0;
     for (const double t : cells) {
         if (t < least) least = t;
@@ -92,7 +92,7 @@ std::vector<ReleaseArea> release_areas(const Scene::Data& data, const SceneSpec&
         problems.add({"nothing is released", "scene", "", "", "Add an area of release or an inflow"});
     for (std::size_t i = 0; i < data.release.size(); ++i) {
         const Release& release = data.release[i];
-        const std::string where = name_of(release, i);
+        const Place where = name_of(release, i);
         ReleaseArea own;
         own.name = release.name;
         own.volume = release.volume;
@@ -245,7 +245,7 @@ MaterialZones material_zones(const Scene::Data& data, const SceneSpec& spec, con
 }
 
 /// The points of a line; a problem and false if they make none.
-bool take_line(const std::vector<Point>& points, const std::string& where, Polyline& line, Problems& problems) {
+bool take_line(const std::vector<Point>& points, const Place& where, Polyline& line, Problems& problems) {
     for (const Point& p : points) line.push_back({p.x, p.y});
     const bool finite = std::all_of(points.begin(), points.end(),
                                     [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
@@ -261,7 +261,7 @@ std::vector<frana::Inflow> inflows_of(const Scene::Data& data, const SceneSpec& 
     std::vector<frana::Inflow> inflows;
     for (std::size_t i = 0; i < data.inflows.size(); ++i) {
         const Inflow& inflow = data.inflows[i];
-        const std::string where = "inflow " + std::to_string(i + 1);
+        const Place where = "inflow " + std::to_string(i + 1);
         frana::Inflow own;
         if (inflow.direction) {
             if (!(*inflow.direction >= 0 && *inflow.direction <= k_turn))
@@ -289,7 +289,7 @@ void check_inflow_counts(const frana::Scene& scene, Problems& problems) {
 
 /// Their names, of which each has its own; one without is numbered.
 template <class Recorded>
-std::vector<std::string> names_of(const std::vector<Recorded>& list, const std::string& where, Problems& problems) {
+std::vector<std::string> names_of(const std::vector<Recorded>& list, const Place& where, Problems& problems) {
     std::vector<std::string> names;
     for (const Recorded& one : list) names.push_back(one.name.empty() ? std::to_string(names.size() + 1) : one.name);
     check_names(names, where, problems);

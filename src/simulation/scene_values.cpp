@@ -9,6 +9,7 @@
 #include "core/text.h"
 #include "params/keys/laws.h"
 #include "params/keys/material_parameters.h"
+#include "physics/friction_coulomb.h"
 #include "simulation/arrivals.h"
 #include "simulation/release.h"
 
@@ -45,7 +46,7 @@ std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
             set(m.*key.value, value);
     }
     m.sin_dilatancy = std::sin(s.dilatancy_angle * std::numbers::pi / 180);
-    m.pores = spec.material;
+    m.pores = spec.material.of<CoulombFriction>();
     return m;
 }
 
@@ -78,7 +79,7 @@ std::optional<double> release_volume_of(const ReleaseSpec& spec) {
     return constant(spec.volume);
 }
 
-bool check_hydrograph(const std::vector<HydrographPoint>& hydrograph, const std::string& where, Problems& problems) {
+bool check_hydrograph(const std::vector<HydrographPoint>& hydrograph, const Place& where, Problems& problems) {
     const auto refuse = [&](const char* what, const std::string& value, const std::string& limit, const char* remedy) {
         problems.add({what, where, value, limit, remedy});
         return false;
@@ -108,7 +109,7 @@ bool check_hydrograph(const std::vector<HydrographPoint>& hydrograph, const std:
     return flows || refuse("the hydrograph has no discharge", "", "", "Give a discharge above zero");
 }
 
-void check_thickness(double thickness, const std::string& where, Problems& problems) {
+void check_thickness(double thickness, const Place& where, Problems& problems) {
     if (thickness >= k_least_thickness && thickness <= k_most_thickness) return;
     const bool thick = thickness > k_most_thickness;
     problems.add(
@@ -118,13 +119,13 @@ void check_thickness(double thickness, const std::string& where, Problems& probl
          "Check the unit, the sign and the values that stand for no data"});
 }
 
-void check_names(std::vector<std::string> names, const std::string& where, Problems& problems) {
+void check_names(std::vector<std::string> names, const Place& where, Problems& problems) {
     std::sort(names.begin(), names.end());
     const auto twice = std::adjacent_find(names.begin(), names.end());
     if (twice != names.end()) problems.add({"two have the same name", where, *twice, "", "Give each a unique name"});
 }
 
-void check_inside(const Polyline& places, const GridSpec& grid, const std::string& name, const std::string& where,
+void check_inside(const Polyline& places, const GridSpec& grid, const std::string& name, const Place& where,
                   Problems& problems) {
     const auto outside = std::find_if(places.begin(), places.end(), [box = grid.bounds()](const Point& p) {
         return !is_within({p.x, p.y, p.x, p.y}, box);
@@ -135,7 +136,7 @@ void check_inside(const Polyline& places, const GridSpec& grid, const std::strin
                   extent_text(grid.bounds()), "Move it, or take a larger DTM or terrain.bounds"});
 }
 
-void check_zone_friction(const SceneSpec& spec, double greatest, const std::string& where, Problems& problems) {
+void check_zone_friction(const SceneSpec& spec, double greatest, const Place& where, Problems& problems) {
     for (const Law* law : laws_of(spec)) {
         if (!(greatest > law->greatest_friction)) continue;
         problems.add({"the friction by place is too large for the law " + law->word, where,
@@ -173,7 +174,7 @@ Raster filled_by_table(const std::optional<Raster>& zones, const std::shared_ptr
 }  // namespace
 
 std::shared_ptr<const FrictionByPlace> set_table_friction(const SceneSpec& spec, std::optional<Raster> forest,
-                                                          const std::string& where, Scene& scene, Problems& problems) {
+                                                          const Place& where, Scene& scene, Problems& problems) {
     const FrictionTableSpec& keys = spec.friction_table;
     if (!keys.resolved || !keys.return_period) return nullptr;
     FrictionChoice choice{
@@ -204,7 +205,7 @@ std::optional<Raster> MaterialZones::*raster_of(const ZoneKey& key) {
         ->raster;
 }
 
-void check_zone_use(const ZoneKey& key, const SceneSpec& spec, const std::string& where, Problems& problems) {
+void check_zone_use(const ZoneKey& key, const SceneSpec& spec, const Place& where, Problems& problems) {
     if (!readers_of(key.name, laws_of(spec)).empty()) return;
     problems.add({"gives the " + key.what + ", which the scene's laws do not use", where, "", "",
                   "Set " + selected_by(readers_of(key.name)) + ", or remove the values"});

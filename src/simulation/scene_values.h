@@ -30,26 +30,26 @@ std::optional<double> release_volume_of(const ReleaseSpec& spec);
 
 /// Two points or more, of numbers in range and times that do not fall [s, m3/s, m/s]; any discharge, and none without
 /// speed. Returns whether it is so.
-bool check_hydrograph(const std::vector<HydrographPoint>& hydrograph, const std::string& where, Problems& problems);
+bool check_hydrograph(const std::vector<HydrographPoint>& hydrograph, const Place& where, Problems& problems);
 /// A thickness [m] that a landslide can have.
-void check_thickness(double thickness, const std::string& where, Problems& problems);
+void check_thickness(double thickness, const Place& where, Problems& problems);
 /// Names identify rows: each is there once.
-void check_names(std::vector<std::string> names, const std::string& where, Problems& problems);
+void check_names(std::vector<std::string> names, const Place& where, Problems& problems);
 /// All places are on the grid.
-void check_inside(const Polyline& places, const GridSpec& grid, const std::string& name, const std::string& where,
+void check_inside(const Polyline& places, const GridSpec& grid, const std::string& name, const Place& where,
                   Problems& problems);
 /// The scene's laws are defined up to this friction coefficient, the zones' greatest.
-void check_zone_friction(const SceneSpec& spec, double greatest, const std::string& where, Problems& problems);
+void check_zone_friction(const SceneSpec& spec, double greatest, const Place& where, Problems& problems);
 /// Gives `scene` bed friction by place after its friction table, where [zones] has no value; the scene is complete
 /// otherwise. The volume is that of release and inflow, unless a key gives it. Ground of which nothing is read yet
 /// stays so.
 /// @param forest anything but NaN where forest stands
 /// Returns what was chosen; null without a table, or with a problem. Throws as make_release does.
 std::shared_ptr<const FrictionByPlace> set_table_friction(const SceneSpec& spec, std::optional<Raster> forest,
-                                                          const std::string& where, Scene& scene, Problems& problems);
+                                                          const Place& where, Scene& scene, Problems& problems);
 /// Returns the raster of a key's quantity.
 std::optional<Raster> MaterialZones::*raster_of(const ZoneKey& key);
 /// The scene's laws use the values by place of this key.
-void check_zone_use(const ZoneKey& key, const SceneSpec& spec, const std::string& where, Problems& problems);
+void check_zone_use(const ZoneKey& key, const SceneSpec& spec, const Place& where, Problems& problems);
 
 }  // namespace frana

@@ -191,7 +191,7 @@ Survey read_survey(const std::optional<std::string>& scar, const std::optional<s
     return survey;
 }
 
-void refuse_too_large(const Simulated& simulated, const std::string& where) {
+void refuse_too_large(const Simulated& simulated, const Place& where) {
     Drawing drawing;
     drawing.page = simulated.source.style.size;
     drawing.cells = simulated.input.depth.values.stored_cells();

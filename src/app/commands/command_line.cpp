@@ -182,38 +182,6 @@ std::optional<double> threshold_option(const options::variables_map& values) {
     return metres;
 }
 
-namespace {
-
-/// The parts of Problem::where, which is "FILE: KEY", "--set KEY", "--OPTION", "FILE" or a few words.
-void add_place(const std::string& where, Json& json) {
-    json["where"] = where;
-    for (const char* part : {"file", "key", "option"}) json[part] = nullptr;
-    std::string rest = where;
-    if (rest.rfind("--", 0) == 0) {
-        const auto space = rest.find(' ');
-        json["option"] = rest.substr(0, space);
-        if (space == std::string::npos) return;
-        rest = rest.substr(space + 1);
-    }
-    const std::vector<Parameter>& parameters = scene_parameters();
-    const auto colon = rest.rfind(": ");
-    const std::string last = colon == std::string::npos ? rest : rest.substr(colon + 2);
-    const auto is_key_letter = [](char letter) {
-        return (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9') || letter == '-' || letter == '.';
-    };
-    const bool is_key = find_parameter(parameters, last) != nullptr ||
-                        (colon != std::string::npos && last.find('.') != std::string::npos &&
-                         std::all_of(last.begin(), last.end(), is_key_letter));
-    if (is_key) {
-        json["key"] = last;
-        if (colon != std::string::npos) json["file"] = rest.substr(0, colon);
-    } else if (rest.find('.') != std::string::npos || rest.find('/') != std::string::npos) {
-        json["file"] = rest;
-    }
-}
-
-}  // namespace
-
 Json document_of(const std::string& command) {
     return {{"program", k_program}, {"version", k_version}, {"command", command}, {"exit_code", 0}};
 }
@@ -223,11 +191,13 @@ std::string error_document(const Arguments& words, ExitCode code, const std::vec
     json["exit_code"] = static_cast<int>(code);
     json["errors"] = Json::array();
     for (const Problem& problem : problems) {
-        Json one{{"message", describe(problem)}, {"what", problem.what}};
-        add_place(problem.where, one);
+        Json one{{"message", describe(problem)}, {"what", problem.what}, {"where", problem.where.text}};
         const auto add = [&](const char* name, const std::string& text) {
             one[name] = text.empty() ? Json() : Json(text);
         };
+        add("file", problem.where.file);
+        add("key", problem.where.key);
+        add("option", problem.where.option);
         add("value", problem.value);
         add("limit", problem.limit);
         add("remedy", problem.remedy);

@@ -304,7 +304,7 @@ void refuse_run_beyond_memory(const SceneReading& reading, const Prepared& prepa
                   reading, prepared);
 }
 
-void refuse_pictures_of(std::int64_t needed, const std::string& where, const std::string& size) {
+void refuse_pictures_of(std::int64_t needed, const Place& where, const std::string& size) {
     const MemoryBound bound = machine_memory();
     const double all = static_cast<double>(needed + resident_memory());
     if (all <= bound.bytes) return;

@@ -11,6 +11,7 @@
 #include "app/input/prepare.h"
 #include "app/study/plan/study_input.h"
 #include "app/text/run_log.h"
+#include "core/error.h"
 #include "params/grammar/value_text.h"
 #include "simulation/result.h"
 
@@ -62,7 +63,7 @@ void refuse_run_beyond_memory(const SceneReading& reading, const Prepared& prepa
 void refuse_run_of(std::int64_t needed, const SceneReading& reading, const Prepared& prepared);
 
 /// Throws Error(input) if pictures that need this much besides the memory in use exceed the memory available.
-void refuse_pictures_of(std::int64_t needed, const std::string& where, const std::string& size);
+void refuse_pictures_of(std::int64_t needed, const Place& where, const std::string& size);
 
 /// Returns the peak memory of a run, as far as a trial predicts it: libraries, inputs, engine, series, writing, drawing
 /// [bytes]. An upper estimate, too large by at most about a half.

@@ -63,7 +63,7 @@ void check_ground(const SceneReading& reading, const TerrainInput& ground, const
 
 void check_thickness_raster(const SceneReading& reading, const Raster& thickness, const Raster& cover, RunLog& log,
                             Problems& problems) {
-    const std::string where = reading.where("release.thickness");
+    const Place where = reading.where("release.thickness");
     const CellList negative = cells_where(cover, [&](std::size_t i) { return thickness.values[i] < 0; });
     if (negative.count > 0) {
         problems.add({"the thickness raster is negative inside the perimeter", where, cells_of(negative).text(),
@@ -102,7 +102,7 @@ void check_difference(const SceneReading& reading, const TerrainInput& ground, c
     if (!(all > 0)) return;
     const double fraction = above / all;
     const bool contains = reading.scene.release.dtm_contains_release;
-    const std::string where = reading.where("release.dtm-contains-release");
+    const Place where = reading.where("release.dtm-contains-release");
     if (!contains && std::abs(fraction - 1) < k_most_doubt) {
         problems.add(
             {"would lay the release on top of the slope that contains it: the DTM is that of before the failure", where,
@@ -261,7 +261,7 @@ MultiPolygon all_outlines(const ReleaseInput& release) {
 }
 
 void question_outline(const MultiPolygon& released, const MultiPolygon& outline, const GridSpec& grid,
-                      const std::string& where, RunLog& log) {
+                      const Place& where, RunLog& log) {
     constexpr double k_nearly = 0.8;  // of all cells of either; two surveyors differ by as much
     const auto cells_of = [&](const MultiPolygon& polygons) {
         std::vector<std::int64_t> cells;
@@ -279,7 +279,7 @@ void question_outline(const MultiPolygon& released, const MultiPolygon& outline,
         log.warn(worded(
             "{1} is nearly the release ({2} % of the cells of either are in both): it must be the outline of all the "
             "ground that the event covered, not that of its source alone",
-            {where, numeral(number_text(100 * alike, 3))}));
+            {where.text, numeral(number_text(100 * alike, 3))}));
 }
 
 void check_release(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release, RunLog& log,

@@ -7,6 +7,7 @@
 #include "analysis/ground_statistics.h"
 #include "app/input/prepare_release.h"
 #include "app/text/run_log.h"
+#include "core/error.h"
 #include "core/raster.h"
 #include "gis/vector/exposed_in.h"
 #include "params/keys/scene_spec.h"
@@ -27,7 +28,7 @@ MultiPolygon all_outlines(const ReleaseInput& release);
 /// while a scar in the geologists' sense is only the source. Both in the CRS of `grid`, whose cells are counted.
 /// `where`: the outline's key.
 void question_outline(const MultiPolygon& released, const MultiPolygon& outline, const GridSpec& grid,
-                      const std::string& where, RunLog& log);
+                      const Place& where, RunLog& log);
 
 /// Warns, before anything is computed, of a release that is too thin, that no slope has, or that is too small for its
 /// cells.

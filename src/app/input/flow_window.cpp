@@ -138,7 +138,7 @@ std::optional<std::vector<Origin>> origins_of(const SceneReading& reading, const
 /// The ground of a file: of its cells, or of its polygons, lines and points. None for a file that cannot be read.
 std::optional<Bounds> ground_of(const SceneReading& reading, const std::string& file, const std::string& key,
                                 const std::string& crs) {
-    const std::string where = reading.where(key);
+    const Place where = reading.where(key);
     if (const auto raster = if_readable([&] { return reading.session.read(gis::inspect_raster, file, where); }))
         return box_of(*raster, crs);
     const LayerSpec choice = key == "observed.perimeter" ? reading.scene.observed.perimeter_layer : LayerSpec{};

@@ -39,7 +39,7 @@ std::optional<double> number_in(const PolygonFeature& feature, const std::string
 }
 
 /// Why no feature has a number in a column: one problem for the whole layer.
-Problem missing_column(const gis::PolygonLayer& layer, const std::string& column, const std::string& where) {
+Problem missing_column(const gis::PolygonLayer& layer, const std::string& column, const Place& where) {
     const bool is_text = std::any_of(layer.features.begin(), layer.features.end(),
                                      [&](const PolygonFeature& f) { return f.texts.count(column) > 0; });
     const std::string known = numeric_columns(layer);

@@ -66,7 +66,7 @@ using File = std::shared_ptr<const gis::RasterOnDemand>;
 File open_zones(const SceneReading& reading, const TerrainInput& ground, const std::string& key,
                 const gis::RasterInfo& info, RunLog& log) {
     const GridSpec& grid = ground.terrain.grid;
-    const std::string where = reading.where(key);
+    const Place where = reading.where(key);
     if (!grid.crs_wkt.empty() && info.crs_wkt.empty())
         throw Error(ErrorKind::input,
                     Problem{"has no coordinate reference system", where, info.path, "", k_state_zone_crs});

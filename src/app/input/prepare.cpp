@@ -53,7 +53,7 @@ std::optional<gis::PolygonLayer> read_layer(const SceneReading& reading, const s
 
 /// Sets every cell of a feature to at least `value`; logs how much larger the footprint became if it is thin.
 void stamp(const gis::PolygonLayer& layer, std::size_t feature, double value, const std::string& key, Raster& raster,
-           CountedTexts& warnings, Problems& problems, const std::string& where) {
+           CountedTexts& warnings, Problems& problems, const Place& where) {
     const MultiPolygon& parts = layer.features[feature].parts;
     std::int64_t cells = 0;
     gis::visit_cells(parts, raster.grid, gis::Cover::closed, [&](std::int64_t row, std::int64_t column) {
@@ -127,7 +127,7 @@ std::optional<Raster> prepare_obstacles(const SceneReading& reading, TerrainInpu
 std::optional<gis::PolygonLayer> read_scar(const SceneReading& reading, const TerrainInput* ground,
                                            std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
     if (!reading.scene.observed.perimeter) return std::nullopt;
-    const std::string where = reading.where("observed.perimeter");
+    const Place where = reading.where("observed.perimeter");
     return attempt(problems, [&] {
         gis::PolygonLayer layer = reading.session.read(
             gis::read_polygons, *reading.scene.observed.perimeter, target_crs(reading, ground), where,

@@ -143,7 +143,7 @@ std::string hydrograph_file(const SceneReading& reading, const gis::LineInput& f
     return absolute_path(found->second, reading.scene.file.substr(0, slash));
 }
 
-Hydrograph read_hydrograph(const std::string& file, const std::string& where, double gravity, double line_length) {
+Hydrograph read_hydrograph(const std::string& file, const Place& where, double gravity, double line_length) {
     const std::string place = where + ": " + file;
     const gis::Table table = gis::read_table(file, where);
     const Columns columns = columns_of(table, place);

@@ -5,6 +5,7 @@
 
 #include "app/input/prepare_terrain.h"
 #include "app/input/used_file.h"
+#include "core/error.h"
 #include "gis/vector/marks_in.h"
 #include "simulation/scene.h"
 
@@ -28,6 +29,6 @@ struct Hydrograph {
 /// a unit after an underscore or in brackets, which is converted (time_min, discharge_l/s). Without a velocity material
 /// crosses the line at the critical speed. Throws Error(input) with every problem: a missing column, an invalid number,
 /// times that do not rise, a negative discharge or a decreasing volume, a discharge with speed zero.
-Hydrograph read_hydrograph(const std::string& file, const std::string& where, double gravity, double line_length);
+Hydrograph read_hydrograph(const std::string& file, const Place& where, double gravity, double line_length);
 
 }  // namespace frana::app

@@ -142,7 +142,7 @@ void set_details(const SceneReading& reading, const gis::PolygonLayer* layer, st
 std::vector<ReleaseArea> areas_by_feature(const SceneReading& reading, const gis::PolygonLayer& layer,
                                           Problems& problems) {
     const ThicknessSpec& spec = *reading.scene.release.thickness;
-    const std::string where = reading.where("release.thickness");
+    const Place where = reading.where("release.thickness");
     std::vector<ReleaseArea> areas;
     for (std::size_t i = 0; i < layer.features.size(); ++i) {
         ReleaseArea area;
@@ -261,7 +261,7 @@ constexpr const char* k_negative_depth = "a depth is negative";
 
 /// The depth of a phase on a large working grid; only where it is positive it takes memory. Throws Error(input).
 Raster phase_on_demand(const GridSpec& grid, const std::shared_ptr<const gis::RasterOnDemand>& file,
-                       const gis::RasterInfo& info, const std::string& where) {
+                       const gis::RasterInfo& info, const Place& where) {
     const auto checked = [&](double depth) {
         if (depth < 0)
             throw Error(ErrorKind::input,
@@ -286,7 +286,7 @@ Raster positive_part(const Raster& thickness, const TerrainInput& ground, const 
 std::optional<Raster> thickness_raster(const SceneReading& reading, const ThicknessSpec& spec,
                                        const TerrainInput* ground, ReleaseInput& release, std::vector<UsedFile>& files,
                                        RunLog& log, Problems& problems) {
-    const std::string where = reading.where("release.thickness");
+    const Place where = reading.where("release.thickness");
     const ThicknessKind& kind = *spec.kind;
     // A thickness has its own unit.
     const std::string unit = kind.elevations ? reading.scene.terrain.vertical_unit : "auto";

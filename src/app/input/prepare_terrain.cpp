@@ -42,7 +42,7 @@ Sentence scale_of(const gis::MapScale& scale) {
 
 /// Returns the working CRS named by terrain.crs, which must measure the ground in metres at the DTM.
 std::string requested_crs(const SceneReading& reading, const gis::RasterInfo& dtm) {
-    const std::string where = reading.where("terrain.crs"), requested = reading.scene.terrain.crs;
+    const Place where = reading.where("terrain.crs"), requested = reading.scene.terrain.crs;
     const std::string crs = reading.session.read(gis::crs_from_user, requested, where);
     if (!reading.session.read(gis::is_projected_in_metres, crs)) {
         throw Error(ErrorKind::input,
@@ -295,7 +295,7 @@ void read_filled(const gis::RasterOnDemand& file, const GridSpec& grid, const Ce
 /// The ground of a large DTM, of which nothing is read yet but samples.
 void read_on_demand(const SceneReading& reading, const GridSpec& grid, TerrainInput& input, RunLog& log) {
     const TerrainSpec& spec = reading.scene.terrain;
-    const std::string where = reading.where("terrain.dtm");
+    const Place where = reading.where("terrain.dtm");
     const auto file = std::make_shared<const gis::RasterOnDemand>(
         spec.dtm, grid, spec.dtm_crs ? input.file.crs_wkt : "", resampling_of(spec.resampling), spec.vertical_unit,
         spec.nodata_value, where);

@@ -222,7 +222,7 @@ Raster friction_raster_on_demand(const SceneReading& reading, const TerrainInput
 std::optional<Raster> read_zone_raster(const SceneReading& reading, const TerrainInput* ground, const std::string& key,
                                        const std::string& file, const char* elsewhere, std::vector<UsedFile>& files,
                                        RunLog& log, Problems& problems) {
-    const std::string where = reading.where(key);
+    const Place where = reading.where(key);
     const gis::RasterInfo info = reading.session.read(gis::inspect_raster, file, where);
     if (ground == nullptr) return std::nullopt;
     const GridSpec& grid = ground->terrain.grid;

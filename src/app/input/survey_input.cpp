@@ -25,7 +25,7 @@ std::optional<gis::Marks> marks_of(const std::optional<std::string>& file, const
 
 /// Returns the lines of a key that requires lines.
 std::vector<gis::NamedLine> lines_of(const std::optional<gis::Marks>& marks, const std::string& file,
-                                     const std::string& where, const GridSpec& grid, Problems& problems) {
+                                     const Place& where, const GridSpec& grid, Problems& problems) {
     if (!marks) return {};
     if (marks->lines.empty() || !marks->points.empty() || marks->polygons > 0)
         problems.add({"is not a layer of lines", where, file, "lines of two points or more", "Draw lines"});
@@ -33,7 +33,7 @@ std::vector<gis::NamedLine> lines_of(const std::optional<gis::Marks>& marks, con
     return marks->lines;
 }
 
-std::vector<Gauge> gauges_of(const std::optional<gis::Marks>& marks, const std::string& file, const std::string& where,
+std::vector<Gauge> gauges_of(const std::optional<gis::Marks>& marks, const std::string& file, const Place& where,
                              const GridSpec& grid, Problems& problems) {
     std::vector<Gauge> gauges;
     if (!marks) return gauges;
@@ -47,7 +47,7 @@ std::vector<Gauge> gauges_of(const std::optional<gis::Marks>& marks, const std::
 }
 
 template <class Named>
-void require_different_names(const std::vector<Named>& list, const std::string& where, Problems& problems) {
+void require_different_names(const std::vector<Named>& list, const Place& where, Problems& problems) {
     std::vector<std::string> names;
     for (const Named& one : list) names.push_back(one.name);
     check_names(std::move(names), where, problems);
@@ -75,7 +75,7 @@ MultiPolygon parts_of(const std::vector<PolygonFeature>& features) {
     return all;
 }
 
-void add_surveyed(const std::string& file, const std::string& crs_wkt, const std::string& where, RunLog& log,
+void add_surveyed(const std::string& file, const std::string& crs_wkt, const Place& where, RunLog& log,
                   Survey& survey) {
     gis::Marks marks = gis::read_marks(file, crs_wkt, where);
     const auto closed = [](const gis::NamedLine& line) {
@@ -96,8 +96,7 @@ void add_surveyed(const std::string& file, const std::string& crs_wkt, const std
     survey.front_label = file;
 }
 
-UsedFile add_deposit(const std::string& file, const GridSpec& grid, const std::string& where, RunLog& log,
-                     Survey& survey) {
+UsedFile add_deposit(const std::string& file, const GridSpec& grid, const Place& where, RunLog& log, Survey& survey) {
     survey.deposit_label = file;
     const auto info = attempt([&] { return std::optional(gis::inspect_raster(file, where)); });
     if (!info) {
@@ -151,7 +150,7 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std:
     }
     if (const auto& logo = output.map_logo) {
         attempt(problems, [&] {
-            const std::string where = reading.where("output.map-logo");
+            const Place where = reading.where("output.map-logo");
             files.push_back(used_picture(worded("Logo"), *logo, gis::read_logo(*logo, where).checksum));
         });
     }

@@ -37,12 +37,10 @@ struct Survey {
 
 /// Adds a file to a survey by its content: polygons (or closed lines) are a scar, open lines a front, points tips.
 /// Throws Error(input).
-void add_surveyed(const std::string& file, const std::string& crs_wkt, const std::string& where, RunLog& log,
-                  Survey& survey);
+void add_surveyed(const std::string& file, const std::string& crs_wkt, const Place& where, RunLog& log, Survey& survey);
 
 /// Adds a deposit: polygons, or a raster of elevation change. Throws Error(input).
-UsedFile add_deposit(const std::string& file, const GridSpec& grid, const std::string& where, RunLog& log,
-                     Survey& survey);
+UsedFile add_deposit(const std::string& file, const GridSpec& grid, const Place& where, RunLog& log, Survey& survey);
 
 /// Returns the polygons of all features of a layer.
 MultiPolygon parts_of(const std::vector<PolygonFeature>& features);

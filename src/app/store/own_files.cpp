@@ -278,15 +278,14 @@ bool KeptFiles::has(const std::string& path) const {
     return place && files_.count(*place) > 0;
 }
 
-void KeptFiles::check(const std::vector<std::string>& outputs, const std::string& where, Problems& problems) const {
+void KeptFiles::check(const std::vector<std::string>& outputs, const Place& where, Problems& problems) const {
     for (const std::string& path : outputs)
         if (has(path))
             problems.add({"would be overwritten: it is an input or belongs to a result", where, path, "",
                           "Choose another folder with --out"});
 }
 
-void KeptFiles::check_pictures(const std::vector<std::string>& outputs, const std::string& where,
-                               Problems& problems) const {
+void KeptFiles::check_pictures(const std::vector<std::string>& outputs, const Place& where, Problems& problems) const {
     check(outputs, where, problems);
     for (const std::string& path : outputs) {
         if (path.ends_with(".tif") && place_of(path) && !has(path) && !gis::is_drawn_geotiff(path))
@@ -322,7 +321,7 @@ std::optional<fs::path> around(const std::string& path, const Kind& kind) {
     }
 }
 
-void check_another_result(const std::string& folder, const std::string& where, const std::vector<std::string>& reads,
+void check_another_result(const std::string& folder, const Place& where, const std::vector<std::string>& reads,
                           Problems& problems) {
     const auto result = around(folder, is_result);
     const auto is_it = [&](const std::string& read) { return around(read, is_result) == result; };
@@ -334,7 +333,7 @@ void check_another_result(const std::string& folder, const std::string& where, c
 
 }  // namespace
 
-void check_own(const std::string& folder, const std::vector<std::string>& files, const std::string& where,
+void check_own(const std::string& folder, const std::vector<std::string>& files, const Place& where,
                const std::vector<std::string>& reads, Problems& problems) {
     check_another_result(folder, where, reads, problems);
     if (around(folder, lists_files)) {

@@ -89,9 +89,9 @@ class KeptFiles {
     void add_result(const std::string& folder, const std::vector<std::string>& but = {});
 
     /// Adds a problem for every output that is one of them. `where` names the option that specifies the place.
-    void check(const std::vector<std::string>& outputs, const std::string& where, Problems& problems) const;
+    void check(const std::vector<std::string>& outputs, const Place& where, Problems& problems) const;
     /// Also for every existing .tif not drawn by frana: a picture never replaces a raster.
-    void check_pictures(const std::vector<std::string>& outputs, const std::string& where, Problems& problems) const;
+    void check_pictures(const std::vector<std::string>& outputs, const Place& where, Problems& problems) const;
 
   private:
     [[nodiscard]] bool has(const std::string& path) const;
@@ -106,7 +106,7 @@ class KeptFiles {
 /// would mix; and for every output that exists and is not as frana's list of files has it, since it is the user's.
 /// @param where the option that specifies the place
 /// @param reads results, or files in them, that the command reads and may write into
-void check_own(const std::string& folder, const std::vector<std::string>& files, const std::string& where,
+void check_own(const std::string& folder, const std::vector<std::string>& files, const Place& where,
                const std::vector<std::string>& reads, Problems& problems);
 
 /// Makes a folder of a result for pictures, if it is not there. Throws Error(environment), also where its name is a

@@ -79,7 +79,7 @@ std::optional<std::string> refusal(const fs::path& path) {
 
 constexpr const char* k_move = "Move them to another folder, or choose another result directory with --out";
 
-void check_older(const fs::path& path, Older older, const std::string& where, Problems& problems) {
+void check_older(const fs::path& path, Older older, const Place& where, Problems& problems) {
     const std::optional<Manifest> manifest = read_manifest(path.string());
     if (!manifest) {
         problems.add(
@@ -97,7 +97,7 @@ void check_older(const fs::path& path, Older older, const std::string& where, Pr
 }
 
 /// Inputs must not be in the result's folder, whatever their names.
-void check_inputs(const fs::path& result, const std::vector<std::string>& inputs, const std::string& where,
+void check_inputs(const fs::path& result, const std::vector<std::string>& inputs, const Place& where,
                   Problems& problems) {
     const auto would_be_replaced = [&](const std::string& place) {
         std::error_code error;
@@ -145,7 +145,7 @@ std::optional<Problem> partial_problem(const std::string& partial) {
 }
 
 std::optional<Problem> check_result_directory(const std::string& directory, Older older,
-                                              const std::vector<std::string>& inputs, const std::string& where,
+                                              const std::vector<std::string>& inputs, const Place& where,
                                               Problems& problems) {
     const fs::path path = result_path(directory);
     std::error_code error;

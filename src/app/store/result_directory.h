@@ -23,8 +23,8 @@ enum class Older { refused, replaced, unknown };
 /// a symbolic link or has too long a name. Returns the problem of the environment: a place that cannot be read or
 /// written.
 [[nodiscard]] std::optional<Problem> check_result_directory(const std::string& directory, Older older,
-                                                            const std::vector<std::string>& inputs,
-                                                            const std::string& where, Problems& problems);
+                                                            const std::vector<std::string>& inputs, const Place& where,
+                                                            Problems& problems);
 
 /// Another run is writing a result.
 Problem other_run(const std::string& result);

@@ -162,7 +162,7 @@ struct StudyReading {
     std::vector<std::string> doubts{};  ///< of its table of values, as that says before its header
 
     /// Returns where a key is given, for messages: "study.ini: vary.material.turbulence".
-    [[nodiscard]] std::string where(const std::string& name) const { return label + ": " + name; }
+    [[nodiscard]] Place where(const std::string& name) const { return {label, name}; }
 };
 
 }  // namespace frana::app::study

@@ -38,13 +38,13 @@ void check_keys(const SceneSpec& scene, const std::set<std::string>& given, cons
         // A key given with its default value requests nothing.
         const bool is_given = given.count(name) > 0 && (preset.empty() || value != preset);
         if (is_given && readers_of(name, selected).empty()) {
-            problems.add({"is given, but no law of the scene uses it", file + ": " + name, "", "",
+            problems.add({"is given, but no law of the scene uses it", Place(file, name), "", "",
                           "Remove it, or set " + selected_by(readers_of(name))});
         }
         for (const Law* law : selected) {
             if (!law->needs_key(name) || is_given || by_place(given, name)) continue;
             const bool zones = find_parameter(parameters, "zones." + key.key) != nullptr;
-            problems.add({preset.empty() ? "is missing" : "must be greater than " + preset, file + ": " + name, value,
+            problems.add({preset.empty() ? "is missing" : "must be greater than " + preset, Place(file, name), value,
                           "", law->selected_by() + " needs it" + (zones ? ", here or in zones." + key.key : "")});
         }
     }
@@ -55,7 +55,7 @@ void check_friction(const SceneSpec& scene, const std::set<std::string>& given, 
     const std::vector<const Law*> selected = laws_of(scene);
     const bool has_friction = given.count("material.friction-angle") + given.count("material.friction-coefficient") > 0;
     if (!has_friction && !scene.friction_table.name && !readers_of("material.friction-angle", selected).empty()) {
-        problems.add({"no bed friction is given", file + ": material.friction-angle", "", "",
+        problems.add({"no bed friction is given", Place(file, "material.friction-angle"), "", "",
                       "Set material.preset (see `frana materials`), material.friction-angle or "
                       "material.friction-coefficient; 0 is allowed, but must be given"});
     }
@@ -64,7 +64,7 @@ void check_friction(const SceneSpec& scene, const std::set<std::string>& given, 
         for (const std::string& what : law->resists_alike) alike[what].push_back(law->word);
     for (const auto& [what, words] : alike) {
         if (words.size() < 2) continue;
-        problems.add({"names two laws for the same effect, the " + what, file + ": material.bed-friction",
+        problems.add({"names two laws for the same effect, the " + what, Place(file, "material.bed-friction"),
                       joined(words, ", "), "one of them", "Keep one of them"});
     }
 }
@@ -94,7 +94,7 @@ void check_table_values(const FrictionTableSpec& spec, std::size_t period, const
         const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
         if (range.has(*least) && range.has(*greatest)) return;
         const auto rounded = [](double value) { return shortest_text(std::round(1e6 * value) / 1e6); };
-        problems.add({"gives values beyond the limits of " + key, file + ": material.friction-table",
+        problems.add({"gives values beyond the limits of " + key, Place(file, "material.friction-table"),
                       rounded(*least) + " to " + rounded(*greatest), range.text(),
                       "Set " + factor + " nearer to 1, or correct the table"});
     };
@@ -111,19 +111,19 @@ void check_friction_table(const SceneSpec& scene, const std::set<std::string>& g
     for (const Parameter& key : scene_parameters()) {
         if (given.count(key.name()) == 0) continue;
         if (gives_by_table(key.name()) && spec.name)
-            problems.add({"contradicts " + table_key + ", which gives it by place", file + ": " + key.name(),
+            problems.add({"contradicts " + table_key + ", which gives it by place", Place(file, key.name()),
                           key.write(scene).value_or(""), "", "Keep one of the two"});
         // A key given with its default value requests nothing: every echo has those.
         if (key.write(scene) == key.write(usual)) continue;
         if (reads_friction_table(key.name()) && !spec.name)
-            problems.add({"needs " + table_key, file + ": " + key.name(), key.write(scene).value_or(""), "",
+            problems.add({"needs " + table_key, Place(file, key.name()), key.write(scene).value_or(""), "",
                           "Name the table, or remove the key"});
     }
     if (!spec.name) return;
     const std::vector<const Law*> selected = laws_of(scene);
     for (const char* const key : {"material.friction-coefficient", "material.turbulence"})
         if (readers_of(key, selected).empty())
-            problems.add({std::string("gives ") + key + ", which the scene's laws do not use", file + ": " + table_key,
+            problems.add({std::string("gives ") + key + ", which the scene's laws do not use", Place(file, table_key),
                           *spec.name, "", "Set material.bed-friction = voellmy, or remove the table"});
     if (!spec.resolved) return;
     const FrictionTable& table = *spec.resolved;
@@ -134,16 +134,17 @@ void check_friction_table(const SceneSpec& scene, const std::set<std::string>& g
         check_table_values(spec, static_cast<std::size_t>(period - table.periods.begin()), file, problems);
     else
         problems.add({spec.return_period ? "is not in the friction table" : "is missing",
-                      file + ": material.return-period", spec.return_period ? shortest_text(*spec.return_period) : "",
-                      joined(periods, ", ") + " years", "Choose one of them"});
+                      Place(file, "material.return-period"),
+                      spec.return_period ? shortest_text(*spec.return_period) : "", joined(periods, ", ") + " years",
+                      "Choose one of them"});
     if (!spec.altitude_limits.empty() && spec.altitude_limits.size() != table.altitudes.size())
-        problems.add({"does not fit the friction table", file + ": material.altitude-limits",
+        problems.add({"does not fit the friction table", Place(file, "material.altitude-limits"),
                       std::to_string(spec.altitude_limits.size()) + " limits",
                       std::to_string(table.altitudes.size()) + ", between " +
                           std::to_string(table.altitudes.size() + 1) + " bands",
                       "Give as many, from the lowest"});
     if (spec.forest && !table.forest)
-        problems.add({"has no effect: the friction table has no values for forest", file + ": material.forest",
+        problems.add({"has no effect: the friction table has no values for forest", Place(file, "material.forest"),
                       *spec.forest, "", "Copy the table and give the copy a section [forest], or remove the key"});
 }
 
@@ -157,7 +158,7 @@ void check_angles(const SceneSpec& scene, const std::string& file, Problems& pro
             const std::string degrees = angle->write(scene).value_or("");
             // The tolerance makes an angle equal the arctangent of its tangent.
             if (!degrees.empty() && *number_from_text(degrees) < bed_deg - 1e-9) {
-                problems.add({"is less than the friction angle of the bed", file + ": " + angle->name(),
+                problems.add({"is less than the friction angle of the bed", Place(file, angle->name()),
                               degrees + " degrees", "at least " + shortest_text(bed_deg) + " degrees",
                               law->word + " is not defined below it"});
             }
@@ -165,7 +166,7 @@ void check_angles(const SceneSpec& scene, const std::string& file, Problems& pro
     }
     for (const Law* law : laws_of(scene)) {
         if (mu <= law->greatest_friction) continue;
-        problems.add({"is too large for the law " + law->word, file + ": material.friction-coefficient",
+        problems.add({"is too large for the law " + law->word, Place(file, "material.friction-coefficient"),
                       shortest_text(mu), "0 to " + shortest_text(law->greatest_friction),
                       "It is not defined above that"});
     }
@@ -177,21 +178,21 @@ void check_pores(const SceneSpec& scene, const std::string& file, Problems& prob
         m.pore_dissipation_time ? "material.pore-dissipation-time" : "material.hydraulic-diffusivity";
     if (m.pore_dissipation_time && m.hydraulic_diffusivity) {
         problems.add({"contradicts material.hydraulic-diffusivity: both give the time of dissipation",
-                      file + ": material.pore-dissipation-time", shortest_text(*m.pore_dissipation_time) + " s", "",
+                      Place(file, "material.pore-dissipation-time"), shortest_text(*m.pore_dissipation_time) + " s", "",
                       "Keep one of the two"});
     }
     const PorePressure pores = m.pore_pressure(scene.material.density);
     if (pores.dissipates() && !pores.active()) {
-        problems.add({"is given without a pore pressure", std::string(file).append(": ").append(time), "", "",
+        problems.add({"is given without a pore pressure", Place(file, time), "", "",
                       "Set material.pore-pressure-ratio (one phase: or pore-fluid-density), or remove it"});
     }
     if (m.pore_fluid_density > 0 && !pores.dissipates()) {
-        problems.add({"needs a time of dissipation", file + ": material.pore-fluid-density",
+        problems.add({"needs a time of dissipation", Place(file, "material.pore-fluid-density"),
                       shortest_text(m.pore_fluid_density) + " kg/m3", "",
                       "Set material.hydraulic-diffusivity or material.pore-dissipation-time, or remove it"});
     }
     if (!(pores.hydrostatic < 1)) {
-        problems.add({"is not less than that of the flow", file + ": material.pore-fluid-density",
+        problems.add({"is not less than that of the flow", Place(file, "material.pore-fluid-density"),
                       shortest_text(m.pore_fluid_density) + " kg/m3",
                       "less than material.density, " + shortest_text(scene.material.density) + " kg/m3", "Lower it"});
     }
@@ -211,17 +212,18 @@ void check_required(const SceneSpec& scene, const std::set<std::string>& given, 
                     Problems& problems) {
     const auto missing = [&](const std::string& name) { return given.count(name) == 0; };
     if (missing("terrain.dtm"))
-        problems.add({"is missing", file + ": terrain.dtm", "", "", "Name the digital terrain model, a raster file"});
+        problems.add(
+            {"is missing", Place(file, "terrain.dtm"), "", "", "Name the digital terrain model, a raster file"});
     const bool flows_in = !missing("inflow.line");
     const bool releases = !missing("release.thickness") || !missing("release.perimeter");
     if (missing("release.thickness") && (releases || !flows_in)) {
         problems.add(
-            {"is missing", file + ": release.thickness", "", "", "Give " + thickness_forms() + ", or an inflow"});
+            {"is missing", Place(file, "release.thickness"), "", "", "Give " + thickness_forms() + ", or an inflow"});
     }
     const auto& thickness = scene.release.thickness;
     if (missing("release.perimeter") && !(thickness && thickness->by_raster()) && (releases || !flows_in))
         problems.add(
-            {"is missing", file + ": release.perimeter", "", "", "Name the polygon layer of the release area"});
+            {"is missing", Place(file, "release.perimeter"), "", "", "Name the polygon layer of the release area"});
 }
 
 /// A key that has no effect without another one.
@@ -274,10 +276,10 @@ void check_pairs(const SceneSpec& scene, const std::string& file, Problems& prob
         pairs.push_back({key.name, by_attribute(zones.*key.source), "terrain.friction-zones",
                          terrain.friction_zones.has_value(), "Name the polygons, or give raster:FILE"});
     for (const Pair& pair : pairs)
-        if (pair.given && !pair.has) problems.add({"needs " + pair.needs, file + ": " + pair.key, "", "", pair.remedy});
+        if (pair.given && !pair.has) problems.add({"needs " + pair.needs, Place(file, pair.key), "", "", pair.remedy});
     if (zones.friction_angle && zones.friction_coefficient) {
         problems.add({"contradicts zones.friction-coefficient: both give the bed friction",
-                      file + ": zones.friction-angle", "", "", "Keep one of the two"});
+                      Place(file, "zones.friction-angle"), "", "", "Keep one of the two"});
     }
 }
 
@@ -288,39 +290,40 @@ void check_thickness(const ReleaseSpec& release, const std::string& file, Proble
     const ThicknessKind* const kind = thickness.kind;
     if (kind != nullptr && kind->below_dtm && !release.dtm_contains_release) {
         problems.add({std::string("contradicts release.thickness = ") + kind->word + ", which lies under the DTM",
-                      file + ": release.dtm-contains-release", "off", "on", "Set it to on"});
+                      Place(file, "release.dtm-contains-release"), "off", "on", "Set it to on"});
     }
     if (kind != nullptr && kind->elevations && release.thickness_direction == "normal") {
         problems.add({"contradicts release.thickness: a difference of elevations is vertical",
-                      file + ": release.thickness-direction", "normal", "vertical", "Remove the key"});
+                      Place(file, "release.thickness-direction"), "normal", "vertical", "Remove the key"});
     }
     if (thickness.fitted() && !release.slip_depth && !release.volume) {
-        problems.add({"a slip surface fitted to the perimeter needs its depth", file + ": release.thickness",
+        problems.add({"a slip surface fitted to the perimeter needs its depth", Place(file, "release.thickness"),
                       text_of(thickness), "", "Give release.volume or release.slip-depth"});
     }
     if (thickness.fitted() && release.slip_depth && release.volume) {
         problems.add({"contradicts release.volume: each of them determines the depth of the slip surface",
-                      file + ": release.slip-depth", "", "", "Keep one of the two"});
+                      Place(file, "release.slip-depth"), "", "", "Keep one of the two"});
     }
     if (!thickness.fitted() && release.slip_depth) {
-        problems.add({"applies only to a fitted slip surface", file + ": release.slip-depth",
+        problems.add({"applies only to a fitted slip surface", Place(file, "release.slip-depth"),
                       text_of(*release.slip_depth), "", "Remove the key, or set release.thickness = slip-surface"});
     }
 }
 
 void check_numerics(const Numerics& numerics, const std::string& file, Problems& problems) {
     if (numerics.curvature.value_or(false) && slope_correction(numerics) == SlopeCorrection::none) {
-        problems.add({"needs a slope correction", file + ": numerics.curvature", "on", "off",
+        problems.add({"needs a slope correction", Place(file, "numerics.curvature"), "on", "off",
                       "Set numerics.slope-correction = normal or surface, or remove the key"});
     }
     if (numerics.flight.value_or(false) && !can_fly(numerics)) {
-        problems.add({"needs numerics.curvature = on, scheme = default and transfer = apic", file + ": numerics.flight",
-                      "on", "off", "Set those, or remove the key"});
+        problems.add({"needs numerics.curvature = on, scheme = default and transfer = apic",
+                      Place(file, "numerics.flight"), "on", "off", "Set those, or remove the key"});
     }
     const bool paper = numerics.scheme == Scheme::paper;
     if (paper && numerics.well_balanced.value_or(false)) {
-        problems.add({"reference levels are part of scheme default, not of paper", file + ": numerics.well-balanced",
-                      "on", "off with scheme paper", "Remove the key or choose numerics.scheme = default"});
+        problems.add({"reference levels are part of scheme default, not of paper",
+                      Place(file, "numerics.well-balanced"), "on", "off with scheme paper",
+                      "Remove the key or choose numerics.scheme = default"});
     }
 }
 
@@ -330,7 +333,7 @@ void check_finite_volume(const SceneSpec& scene, const std::set<std::string>& gi
     const Numerics& numerics = scene.numerics;
     if (numerics.scheme != Scheme::finite_volume) return;
     const auto refuse = [&](const std::string& key, const std::string& value, const char* why) {
-        problems.add({why, file + ": " + key, value, "", "Remove it, or set numerics.scheme = default"});
+        problems.add({why, Place(file, key), value, "", "Remove it, or set numerics.scheme = default"});
     };
     constexpr const char* k_of_particles = "is for particles, which numerics.scheme = finite-volume does not have";
     for (const char* key : {"numerics.transfer", "numerics.particles-per-cell", "numerics.well-balanced",
@@ -348,7 +351,7 @@ void check_frames(const SceneSpec& scene, const std::string& file, Problems& pro
     constexpr double k_most_frames = 10000;
     const double interval = frame_interval(scene);
     if (interval > 0 && scene.time.end / interval > k_most_frames) {
-        problems.add({"would make more than 10000 frames", file + ": time.frame-interval",
+        problems.add({"would make more than 10000 frames", Place(file, "time.frame-interval"),
                       shortest_text(interval) + " s",
                       "at least " + shortest_text(scene.time.end / k_most_frames) +
                           " s for time.end = " + shortest_text(scene.time.end),
@@ -366,7 +369,7 @@ void check_density(const SceneSpec& scene, const std::string& file, Problems& pr
         return;
     problems.add({classed ? "is not given, but the classes of hazard.scheme = " + scheme->name + " are of pressure"
                           : "is not given, but output.pressure-thresholds need it",
-                  file + ": " + key, shortest_text(scene.material.density) + " kg/m3, the default",
+                  Place(file, key), shortest_text(scene.material.density) + " kg/m3, the default",
                   find_parameter(scene_parameters(), key)->range->text() + " kg/m3",
                   "Set it, for example 300 for dense snow or 2000 for debris, or name a material.preset"});
 }
@@ -376,11 +379,11 @@ void check_hazard(const HazardSpec& hazard, const std::string& file, Problems& p
                         !hazard.flux_limits.empty() || !hazard.pressure_limits.empty();
     const bool custom = hazard.scheme == "custom";
     if (custom && !limits) {
-        problems.add({"scheme custom needs limits", file + ": hazard.scheme", "custom", "",
+        problems.add({"scheme custom needs limits", Place(file, "hazard.scheme"), "custom", "",
                       "Set hazard.depth-limits, velocity-limits, flux-limits or pressure-limits"});
     }
     if (!custom && limits) {
-        problems.add({"limits apply only to scheme custom", file + ": hazard.scheme",
+        problems.add({"limits apply only to scheme custom", Place(file, "hazard.scheme"),
                       hazard.scheme.value_or("not given"), "custom", "Set hazard.scheme = custom or remove them"});
     }
     const bool is_process = hazard.process && std::find(std::begin(k_processes), std::end(k_processes),
@@ -391,19 +394,19 @@ void check_hazard(const HazardSpec& hazard, const std::string& file, Problems& p
             for (const ProcessMatrix& one : hazard.resolved->matrices)
                 if (!one.process.empty()) known.push_back(one.process);
         problems.add({hazard.scheme ? "is no process of " + *hazard.scheme : "needs hazard.scheme",
-                      file + ": hazard.process", *hazard.process, joined(known, ", "),
+                      Place(file, "hazard.process"), *hazard.process, joined(known, ", "),
                       known.empty() ? "Remove the key" : "Name one of these"});
     }
     if (hazard.minimum_depth && !hazard.scheme)
         problems.add(
-            {"needs hazard.scheme", file + ": hazard.minimum-depth", "", "", "Name the scheme, or remove the key"});
+            {"needs hazard.scheme", Place(file, "hazard.minimum-depth"), "", "", "Name the scheme, or remove the key"});
 }
 
 void check_output(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
                   Problems& problems) {
     const OutputSpec& output = scene.output;
     const auto refuse_formats = [&](const char* what, const char* remedy) {
-        problems.add({what, file + ": output.formats", joined(output.formats, ", "), "", remedy});
+        problems.add({what, Place(file, "output.formats"), joined(output.formats, ", "), "", remedy});
     };
     const bool particles = writes_particles(output);
     if (particles && !output.frames)
@@ -413,22 +416,23 @@ void check_output(const SceneSpec& scene, const std::set<std::string>& given, co
     for (const std::string& map : output.maps) {
         const ResultRaster* const row = find_result_raster(raster_of_map(map));
         if (row != nullptr && row->is_produced_by != nullptr && !row->is_produced_by(scene))
-            problems.add({"names a raster that this scene does not produce", file + ": output.maps", map,
+            problems.add({"names a raster that this scene does not produce", Place(file, "output.maps"), map,
                           row->name + " is written " + row->when,
                           "Remove it, or set output.maps = on for all maps of the result"});
     }
     if (output.map_scale && !is_paper(size_from_text(output.map_size).value_or(Size{}))) {
-        problems.add({"needs a paper size: pixels have no scale until they are printed", file + ": output.map-scale",
-                      shortest_text(*output.map_scale), paper_names() + "; output.map-size is " + output.map_size,
+        problems.add({"needs a paper size: pixels have no scale until they are printed",
+                      Place(file, "output.map-scale"), shortest_text(*output.map_scale),
+                      paper_names() + "; output.map-size is " + output.map_size,
                       "Set output.map-size = A4@300, or remove the key"});
     }
     if (output.map_background_licence && !output.map_background) {
-        problems.add({"has no effect: there is no output.map-background", file + ": output.map-background-licence",
+        problems.add({"has no effect: there is no output.map-background", Place(file, "output.map-background-licence"),
                       *output.map_background_licence, "", "Name the picture, or remove the key"});
     }
     const bool records = given.count("output.gauges") > 0 || given.count("output.cross-sections") > 0;
     if (output.sample_interval && !records) {
-        problems.add({"has no effect: there are no gauges or cross-sections", file + ": output.sample-interval",
+        problems.add({"has no effect: there are no gauges or cross-sections", Place(file, "output.sample-interval"),
                       shortest_text(*output.sample_interval), "",
                       "Set output.gauges or output.cross-sections, or remove the key"});
     }

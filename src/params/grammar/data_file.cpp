@@ -27,7 +27,7 @@ DataFile::DataFile(const std::string& path, std::string label, std::string guide
 
 void DataFile::refuse(const std::string& what, const std::string& key, const std::string& value,
                       const std::string& limit, const std::string& remedy) {
-    problems_.add({what, label_ + ": " + key, value, limit, remedy});
+    problems_.add({what, Place(label_, key), value, limit, remedy});
 }
 
 std::optional<std::string> DataFile::taken(const std::string& key) {
@@ -111,8 +111,7 @@ std::vector<std::string> data_names(const std::string& share, const DataFolder& 
 }
 
 std::optional<std::string> data_file_of(const std::string& value, const std::string& share, const DataFolder& of,
-                                        const std::vector<std::string>& more, const std::string& where,
-                                        Problems& problems) {
+                                        const std::vector<std::string>& more, const Place& where, Problems& problems) {
     if (is_own_file(value)) return value;
     std::vector<std::string> names = data_names(share, of);
     if (std::find(names.begin(), names.end(), value) != names.end())

@@ -34,21 +34,21 @@ void check_solids(const SceneSpec& scene, const std::set<std::string>& given, co
     const StructuredSpec& s = scene.structured;
     for (const char* key : {"structured.cohesion", "structured.internal-friction-angle"}) {
         if (given.count(key) == 0)
-            problems.add({"is missing", file + ": " + key, "", "", "structured.phases = solids-and-fluid needs it"});
+            problems.add({"is missing", Place(file, key), "", "", "structured.phases = solids-and-fluid needs it"});
     }
     if (!(s.young_modulus < 9 * s.bulk_modulus)) {
-        problems.add({"makes the material unstable", file + ": structured.young-modulus",
+        problems.add({"makes the material unstable", Place(file, "structured.young-modulus"),
                       shortest_text(s.young_modulus) + " Pa",
                       "less than 9 times structured.bulk-modulus, " + shortest_text(9 * s.bulk_modulus) + " Pa",
                       "Lower it or raise the bulk modulus"});
     }
     const auto& thickness = scene.release.thickness;
     if (thickness && thickness->in_phases() && given.count("structured.solid-fraction") > 0) {
-        problems.add({"is given twice", file + ": structured.solid-fraction", "", "",
+        problems.add({"is given twice", Place(file, "structured.solid-fraction"), "", "",
                       "Remove it: release.thickness = " + text_of(*thickness) + " determines it"});
     }
     if (scene.numerics.particles_per_cell < 9) {
-        problems.add({"is too small for the neighbour sums of solids", file + ": numerics.particles-per-cell",
+        problems.add({"is too small for the neighbour sums of solids", Place(file, "numerics.particles-per-cell"),
                       std::to_string(scene.numerics.particles_per_cell), "9, 16", "Set it to 9"});
     }
 }
@@ -56,15 +56,15 @@ void check_solids(const SceneSpec& scene, const std::set<std::string>& given, co
 void check_structured(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
                       Problems& problems) {
     if (!scene.structured.phases) {
-        problems.add({"is missing", file + ": structured.phases", "", "fluid, solids-and-fluid",
+        problems.add({"is missing", Place(file, "structured.phases"), "", "fluid, solids-and-fluid",
                       "State the content of the release"});
     }
     if (const double cfl = courant_number(scene.numerics, scene.material); cfl > 0.5) {
-        problems.add({"is too large for material.model = structured", file + ": numerics.cfl", shortest_text(cfl),
+        problems.add({"is too large for material.model = structured", Place(file, "numerics.cfl"), shortest_text(cfl),
                       "greater than 0, at most 0.5", "Choose at most 0.5"});
     }
     if (scene.numerics.slope_correction == SlopeCorrection::surface) {
-        problems.add({"is not available for material.model = structured", file + ": numerics.slope-correction",
+        problems.add({"is not available for material.model = structured", Place(file, "numerics.slope-correction"),
                       "surface", "auto, none, normal", "Choose normal or none"});
     }
     if (has_solids(scene)) check_solids(scene, given, file, problems);
@@ -95,7 +95,7 @@ void check_model(const SceneSpec& scene, const std::set<std::string>& given, con
         const bool solids_key = structured && in_section(name, "structured");
         const std::string reader = solids_key ? "structured.phases = " + scene.structured.phases.value_or("(missing)")
                                               : "material.model = " + scene.material.model;
-        problems.add({"is given, but " + reader + " does not use it", file + ": " + name, "", "",
+        problems.add({"is given, but " + reader + " does not use it", Place(file, name), "", "",
                       solids_key ? "Remove it, or set structured.phases = solids-and-fluid"
                                  : "Remove it, or choose the other model"});
     }
@@ -103,7 +103,7 @@ void check_model(const SceneSpec& scene, const std::set<std::string>& given, con
     const auto& thickness = scene.release.thickness;
     if (thickness && thickness->in_phases() && !(structured && has_solids(scene))) {
         problems.add({"gives solids and fluid separately, but the scene's material does not",
-                      file + ": release.thickness", text_of(*thickness), "",
+                      Place(file, "release.thickness"), text_of(*thickness), "",
                       "Set structured.phases = solids-and-fluid, or give the sum as raster:FILE"});
     }
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "params/keys/declare.h"
+#include "physics/law.h"
 
 namespace frana {
 

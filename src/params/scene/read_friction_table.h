@@ -16,6 +16,6 @@ FrictionTable read_friction_table(const std::string& path, const std::string& la
 
 /// Returns the table that a scene names; none without one, and with a problem. `where` is where it is named.
 std::optional<FrictionTable> resolved_friction_table(const FrictionTableSpec& spec, const std::string& share,
-                                                     const std::string& where, Problems& problems);
+                                                     const Place& where, Problems& problems);
 
 }  // namespace frana

@@ -99,7 +99,7 @@ std::optional<std::pair<std::string, std::string>> preset_of(const KeySource& fi
     return std::nullopt;
 }
 
-std::optional<KeySource> preset_source(const std::string& name, const std::string& where, const std::string& directory,
+std::optional<KeySource> preset_source(const std::string& name, const Place& where, const std::string& directory,
                                        Problems& problems) {
     const auto file = std::filesystem::path(directory) / (name + ".ini");
     std::error_code ignored;  // a name longer than file systems have
@@ -166,7 +166,7 @@ constexpr std::pair<const char*, const char*> k_gone_keys[] = {
 
 }  // namespace
 
-Problem unknown_key(const std::vector<Parameter>& parameters, const std::string& name, const std::string& where) {
+Problem unknown_key(const std::vector<Parameter>& parameters, const std::string& name, const Place& where) {
     for (const auto& [gone, instead] : k_gone_keys)
         if (name == gone) return {"is no longer a key", where, "", "", instead};
     const std::string nearest = nearest_name(name, names_of(parameters));
@@ -174,7 +174,7 @@ Problem unknown_key(const std::vector<Parameter>& parameters, const std::string&
             nearest.empty() ? "`frana params` lists all keys" : "Did you mean " + nearest + "?"};
 }
 
-std::optional<Problem> read_value(const Parameter& parameter, const std::string& where, const std::string& value,
+std::optional<Problem> read_value(const Parameter& parameter, const Place& where, const std::string& value,
                                   SceneSpec& scene) {
     if (value.empty()) return Problem{"has no value", where, "", parameter.limits, "Give one or remove the key"};
     const auto refusal = parameter.read(scene, value);
@@ -234,7 +234,7 @@ void SceneReader::apply(KeySource source) {
 
 void SceneReader::apply(const KeySource& source, const IniEntry& entry) {
     const auto second = reading_.written.find(entry.name);
-    const std::string where = source.where(second == reading_.written.end() ? entry.name : second->second);
+    const Place where = source.where(second == reading_.written.end() ? entry.name : second->second);
     const Parameter* const parameter = find_parameter(parameters_, entry.name);
     if (parameter == nullptr) {
         reading_.problems.add(unknown_key(parameters_, entry.name, where));
@@ -267,7 +267,7 @@ void SceneReader::forget(const std::string& name) {
     given_.erase(name);
 }
 
-void SceneReader::make_paths_absolute(const Parameter& parameter, const std::string& where) {
+void SceneReader::make_paths_absolute(const Parameter& parameter, const Place& where) {
     if (parameter.map_files) {
         parameter.map_files(reading_.scene, [&](const std::string& path) { return absolute_path(path, directory_); });
     }

@@ -30,10 +30,10 @@ struct SceneReading {
 
     /// Returns where a key was given, for messages, in the words of the user: "scene.ini: terrain.dtm" or "--set
     /// terrain.dtm".
-    [[nodiscard]] std::string where(const std::string& name) const {
+    [[nodiscard]] Place where(const std::string& name) const {
         const auto second = written.find(name);
-        return (scene.origin_of(name) == Origin::command_line ? override_label : label + ": ") +
-               (second == written.end() ? name : second->second);
+        const std::string& key = second == written.end() ? name : second->second;
+        return scene.origin_of(name) == Origin::command_line ? Place::given(override_label, key) : Place(label, key);
     }
 };
 
@@ -81,8 +81,8 @@ struct KeySource {
     std::vector<IniEntry> entries;
     std::string label{};  ///< of overrides
 
-    [[nodiscard]] std::string where(const std::string& name) const {
-        return file.empty() ? label + name : file + ": " + name;
+    [[nodiscard]] Place where(const std::string& name) const {
+        return file.empty() ? Place::given(label, name) : Place(file, name);
     }
     [[nodiscard]] bool has(const std::string& name) const {
         return std::any_of(entries.begin(), entries.end(), [&](const IniEntry& e) { return e.name == name; });
@@ -111,7 +111,7 @@ class SceneReader {
   private:
     void apply(const KeySource& source, const IniEntry& entry);
     void use_present_names(KeySource& source);
-    void make_paths_absolute(const Parameter& parameter, const std::string& where);
+    void make_paths_absolute(const Parameter& parameter, const Place& where);
 
     SceneReading& reading_;
     std::string directory_;
@@ -120,10 +120,10 @@ class SceneReader {
 };
 
 /// Returns the problem of a key that does not exist.
-Problem unknown_key(const std::vector<Parameter>& parameters, const std::string& name, const std::string& where);
+Problem unknown_key(const std::vector<Parameter>& parameters, const std::string& name, const Place& where);
 
 /// Stores a value in the scene, or returns why not.
-std::optional<Problem> read_value(const Parameter& parameter, const std::string& where, const std::string& value,
+std::optional<Problem> read_value(const Parameter& parameter, const Place& where, const std::string& value,
                                   SceneSpec& scene);
 
 /// Whether a text contains line breaks and other characters that a line of a scene file cannot contain.

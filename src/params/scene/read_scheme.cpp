@@ -151,7 +151,7 @@ HazardScheme read_scheme(const std::string& path, const std::string& label, Prob
     return SchemeReader(path, label, problems).read(fs::path(path).stem().string());
 }
 
-std::optional<HazardScheme> resolved_scheme(const HazardSpec& spec, const std::string& share, const std::string& where,
+std::optional<HazardScheme> resolved_scheme(const HazardSpec& spec, const std::string& share, const Place& where,
                                             Problems& problems) {
     if (!spec.scheme) return std::nullopt;
     if (*spec.scheme == k_custom_scheme)

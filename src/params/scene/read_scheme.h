@@ -19,7 +19,7 @@ inline constexpr const char* k_custom_scheme = "custom";
 HazardScheme read_scheme(const std::string& path, const std::string& label, Problems& problems);
 
 /// Returns the scheme that a scene names; none without one, and with a problem. `where` is where it is named.
-std::optional<HazardScheme> resolved_scheme(const HazardSpec& spec, const std::string& share, const std::string& where,
+std::optional<HazardScheme> resolved_scheme(const HazardSpec& spec, const std::string& share, const Place& where,
                                             Problems& problems);
 
 }  // namespace frana

@@ -326,7 +326,7 @@ bool weighs(const CalibrationSpec& calibration, Evidence evidence) {
 }
 
 /// Adds a problem for each gauge with an observed value that the scene does not have.
-void check_gauges(const Prepared& base, const EventSpec& event, const std::string& where, Problems& problems) {
+void check_gauges(const Prepared& base, const EventSpec& event, const Place& where, Problems& problems) {
     const std::vector<Gauge>& gauges = base.scene.recording.gauges;
     for (const GaugeKind& kind : k_gauge_kinds)
         for (const GaugeValue& one : event.*(kind.values))
@@ -352,7 +352,7 @@ void check_evidence(const CalibrationInput& input, Problems& problems) {
             if (!has_evidence(base, event, row_of(calibration.objective[m].measure).needs)) continue;
             used[m] = any = true;
         }
-        const std::string where = input.reading.where("event " + event.name);
+        const Place where = input.reading.where("event " + event.name);
         if (!any)
             problems.add({"has nothing that [objective] compares: " + joined(measures, ", "), where,
                           event.members.study.scene, "", "Give it " + joined(sources, "; or ")});

@@ -48,7 +48,7 @@ class EntryReader {
         add_problem({what, where(entry.name), entry.value, limit, remedy});
     }
     void add_problem(const Problem& problem) { problems_.add(problem); }
-    [[nodiscard]] std::string where(const std::string& name) const { return label_ + ": " + name; }
+    [[nodiscard]] Place where(const std::string& name) const { return {label_, name}; }
     [[nodiscard]] const std::string& folder() const noexcept { return folder_; }
     /// Names of the entries so far, right or wrong.
     [[nodiscard]] const std::set<std::string>& seen() const noexcept { return seen_; }

@@ -100,7 +100,7 @@ struct CalibrationReading {
     std::string label;  ///< the file as the user named it
 
     /// Returns where a key is given, for messages: "study.ini: objective.jaccard".
-    [[nodiscard]] std::string where(const std::string& name) const { return label + ": " + name; }
+    [[nodiscard]] Place where(const std::string& name) const { return {label, name}; }
 };
 
 /// Whether a study is a calibration: it has a section [objective] or [event NAME]. Throws Error(input) as read_ini.

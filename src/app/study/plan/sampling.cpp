@@ -153,7 +153,7 @@ void check_values(const StudySpec& study, const SampleTable& table, const std::s
             problems.add(
                 {"has no end, and member " + std::to_string(member) + " would have a value of " +
                      table.values[member][k],
-                 label + ": vary." + table.keys[k], law, key->limits,
+                 Place(label, "vary.") + table.keys[k], law, key->limits,
                  "Cut the distribution off with two more numbers: " + law.substr(0, law.size() - 1) + ", low, high)"});
             break;
         }
@@ -224,7 +224,7 @@ SampleTable samples_at(const StudySpec& study, const Places& independent, const 
     SampleTable table = empty_table(study);
     table.places = independent;
     if (!study.correlate.empty() && !openturns().correlate(study, table.places)) {
-        problems.add({"no distribution has all these correlations at once", label + ": correlate", "", "",
+        problems.add({"no distribution has all these correlations at once", Place(label, "correlate"), "", "",
                       "Bring them nearer to 0"});
         return empty_table(study);
     }
@@ -296,7 +296,7 @@ bool is_blank(const std::vector<std::string>& row) {
 }  // namespace
 
 SampleTable samples_of_table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows,
-                             const std::string& where, Problems& problems) {
+                             const Place& where, Problems& problems) {
     SampleTable table;
     const std::vector<Parameter>& parameters = scene_parameters();
     std::vector<std::size_t> of_key;

@@ -78,7 +78,7 @@ SampleTable samples_at(const StudySpec& study, const Places& independent, const 
 inline constexpr double k_least_table_weight = 1e-100,
                         k_most_table_weight = 1e100;  // their squares and sums stay finite
 SampleTable samples_of_table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows,
-                             const std::string& where, Problems& problems);
+                             const Place& where, Problems& problems);
 
 /// Returns the places of many members of a study, and of keys without order their numbers, as SampleTable has them; of
 /// the others the places stand for both.

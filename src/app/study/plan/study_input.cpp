@@ -51,8 +51,8 @@ void require_columns(const RegionSpec& region, const gis::PolygonLayer& layer, c
     const auto require = [&](const std::string& key, const std::string& column) {
         if (known.count(column) > 0) return;
         const std::string nearest = nearest_name(column, names);
-        problems.add({"is no column in which a polygon of the release perimeter has a value", label + ": " + key,
-                      column, "",
+        problems.add({"is no column in which a polygon of the release perimeter has a value", Place(label, key), column,
+                      "",
                       !nearest.empty() ? "Did you mean " + nearest + "?"
                       : names.empty()  ? "The layer has no attributes"
                                        : "Its columns are " + joined(names, ", ")});
@@ -89,7 +89,7 @@ void require_one_period(const std::vector<Slope>& slopes, const std::string& lab
         if (slope.return_period && !slope.scenario.empty()) periods[slope.scenario].insert(*slope.return_period);
     for (const auto& [scenario, all] : periods) {
         if (all.size() < 2) continue;
-        problems.add({"gives scenario " + scenario + " several return periods", label + ": region.return-period",
+        problems.add({"gives scenario " + scenario + " several return periods", Place(label, "region.return-period"),
                       shortest_text(*all.begin()) + " and " + shortest_text(*all.rbegin()) + " years",
                       "one for each scenario", "Correct the column, or give the events different scenarios"});
     }
@@ -119,7 +119,7 @@ void require_friction_period(const FrictionTableSpec& table, const PolygonMember
         const auto& event = members.slopes[i].return_period;
         if (!event || !friction || *event == *friction) continue;
         problems.add({"differs from " + std::string(k_friction_period) + ", of member " + std::to_string(i) + " first",
-                      label + ": region.return-period", shortest_text(*event) + " years",
+                      Place(label, "region.return-period"), shortest_text(*event) + " years",
                       shortest_text(*friction) + " years",
                       "Leave out " + std::string(k_friction_period) + ": the event's own is taken"});
         return;
@@ -156,7 +156,7 @@ PolygonMembers polygon_members(const StudySpec& study, const std::string& label,
                                Problems& problems) {
     PolygonMembers members;
     const ReleaseSpec& release = scene.scene.release;
-    const std::string where = scene.where("release.perimeter");
+    const Place where = scene.where("release.perimeter");
     if (!release.perimeter) {
         problems.add({"is missing, and a region takes its polygons", where, "", "a vector file",
                       "Name the file of the release perimeters"});
@@ -221,7 +221,7 @@ void refuse_accuracy(SceneReading& central) {
 
 SampleTable read_samples(StudyReading& reading) {
     if (reading.study.sampling == Sampling::table) {
-        const std::string where = reading.where("study.sampling");
+        const Place where = reading.where("study.sampling");
         const auto read = [&] {
             const gis::Table file = gis::read_table(reading.study.table, where);
             reading.doubts = file.remarks;
@@ -249,7 +249,7 @@ bool is_whole(double cells) {
     return std::abs(cells - std::round(cells)) < 1e-3;
 }
 
-void require_same_lattice(const GridSpec& grid, const GridSpec& other, const std::string& where, Problems& problems) {
+void require_same_lattice(const GridSpec& grid, const GridSpec& other, const Place& where, Problems& problems) {
     const bool same = std::abs(grid.cell_size / other.cell_size - 1) < 1e-9 && grid.crs_wkt == other.crs_wkt &&
                       is_whole((grid.west - other.west) / grid.cell_size) &&
                       is_whole((grid.north - other.north) / grid.cell_size);

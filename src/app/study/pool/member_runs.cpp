@@ -244,7 +244,7 @@ MemberTask task_from(std::string bytes) {
 std::string bytes_of(const Error& error, const std::string& rank) {
     const Problem& first = error.problems().front();
     std::string bytes = with_number(static_cast<std::size_t>(error.kind()));
-    for (const std::string& text : {rank + ": " + first.what, first.where, first.value, first.limit, first.remedy})
+    for (const std::string& text : {rank + ": " + first.what, first.where.text, first.value, first.limit, first.remedy})
         bytes += with_number(text.size(), text);
     return bytes;
 }
@@ -253,7 +253,8 @@ std::string bytes_of(const Error& error, const std::string& rank) {
 Error error_from(std::string bytes) {
     const auto kind = static_cast<ErrorKind>(take_number(bytes));
     Problem problem;
-    for (std::string* const text : {&problem.what, &problem.where, &problem.value, &problem.limit, &problem.remedy})
+    for (std::string* const text :
+         {&problem.what, &problem.where.text, &problem.value, &problem.limit, &problem.remedy})
         *text = take_text(bytes);
     return {kind, problem};
 }
