@@ -25,10 +25,11 @@ template <class AnyProblem>
     auto failure = ::testing::AssertionFailure();
     failure << "none at \"" << where << "\" of \"" << value << "\" allowed \"" << limit << "\" among\n";
     for (const AnyProblem& problem : problems) {
-        if (problem.where.ends_with(where) && (value.empty() || problem.value == value) &&
+        const std::string& place = problem.where;
+        if (place.ends_with(where) && (value.empty() || problem.value == value) &&
             (limit.empty() || problem.limit == limit))
             return ::testing::AssertionSuccess();
-        failure << '"' << problem.where << "\" of \"" << problem.value << "\" allowed \"" << problem.limit
+        failure << '"' << place << "\" of \"" << problem.value << "\" allowed \"" << problem.limit
                 << "\": " << problem.what << ". " << problem.remedy << '\n';
     }
     return failure;

@@ -84,7 +84,8 @@ void refuse_empty_words(const options::variables_map& values, const CommandForm&
     Problems problems;
     const auto check = [&](const std::string& name, const std::string& word) {
         if (!word.empty()) return;
-        problems.add({"is empty", name == "operand" ? form.operand : "--" + name, "", "", "Usage: " + form.usage});
+        problems.add(
+            {"is empty", (name == "operand" ? form.operand : "--" + name).c_str(), "", "", "Usage: " + form.usage});
     };
     for (const auto& [name, value] : values) {
         const auto* option = form.options.find_nothrow(name, false);

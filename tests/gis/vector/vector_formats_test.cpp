@@ -138,7 +138,7 @@ TEST(VectorFiles, ACrsThatIsNotUnderstoodIsRefused) {
     };
     const auto refused = [&](const std::string& name, const std::string& top, const std::string& within = {}) {
         const Problem problem = error_of([&] { (void)read(top, within); }).problems().front();
-        EXPECT_NE(problem.where.find("a.geojson"), std::string::npos) << problem.where;
+        EXPECT_NE(problem.where.text.find("a.geojson"), std::string::npos) << problem.where.text;
         EXPECT_NE(problem.value.find(name), std::string::npos) << problem.what << problem.value;
         EXPECT_NE(problem.remedy.find("perimeter-crs = EPSG:"), std::string::npos) << problem.remedy;
         EXPECT_EQ(problem.remedy.find(".prj"), std::string::npos) << problem.remedy;

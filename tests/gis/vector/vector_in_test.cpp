@@ -109,7 +109,7 @@ TEST(ReadPolygons, RefusesACrossingNamingThePlace) {
     EXPECT_NE(error.problems()[0].what.find("feature 2"), std::string::npos);
     EXPECT_EQ(error.problems()[0].value, "at 105, 105");
     EXPECT_EQ(error.problems()[1].value, "at 210, 210");
-    EXPECT_EQ(error.problems()[0].where.rfind(k_where, 0), 0U);
+    EXPECT_EQ(error.problems()[0].where.text.rfind(k_where, 0), 0U);
 }
 
 TEST(ReadPolygons, ListsTenProblemsAndCountsTheRest) {
