@@ -77,7 +77,7 @@ void add_style_options(CommandForm& form) {
 
 /// The problem of a value that is none of an option's words.
 Problem not_one_of(const std::string& option, const std::string& value, const std::string& choices) {
-    return {"is not one of the choices", "--" + option, value, choices, ""};
+    return {"is not one of the choices", ("--" + option).c_str(), value, choices, ""};
 }
 
 /// Overrides the style by the options; adds their problems.
@@ -290,9 +290,9 @@ struct Place {
 /// replace a file not made by frana or belongs to another result.
 void prepare_place(const Place& place, const std::vector<std::string>& files, const KeptFiles& kept,
                    Problems& problems) {
-    kept.check_pictures(files, place.option, problems);
+    kept.check_pictures(files, place.option.c_str(), problems);
     problems.throw_if_any();  // one problem per file
-    check_own(place.folder, files, place.option, place.reads, problems);
+    check_own(place.folder, files, place.option.c_str(), place.reads, problems);
     problems.throw_if_any();
     place.is_own ? make_drawing_folder(place.folder) : make_picture_folder(place.folder);
     begin_own(place.folder, files);
@@ -403,7 +403,7 @@ void render_result(const Values& values, const Request& request, Problems& probl
     const ResultReader result((values)["operand"].as<std::string>(), request.language);
     for (const char* option : {"dtm", "unit", "above"}) {
         if (values.count(option) > 0)
-            problems.add({"is for a RASTER, not for a result", std::string("--") + option, "", "", ""});
+            problems.add({"is for a RASTER, not for a result", (std::string("--") + option).c_str(), "", "", ""});
     }
     MapSource source = result.map_source();
     read_style(values, source.style, problems);
@@ -451,7 +451,7 @@ void render_raster(const Values& values, const Request& request, Problems& probl
     const std::string file = values["operand"].as<std::string>();
     for (const char* option : {"map", "animation", "charts", "difference"}) {
         if (values.count(option) > 0)
-            problems.add({"is for a result, not for a raster", std::string("--") + option, "", "", ""});
+            problems.add({"is for a result, not for a raster", (std::string("--") + option).c_str(), "", "", ""});
     }
     if (request.view_3d && values.count("dtm") == 0)
         problems.add({"needs a terrain", "--view", "3d", "", "Name it: --dtm RASTER"});
