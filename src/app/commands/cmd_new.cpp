@@ -281,7 +281,7 @@ int cmd_new(const Arguments& arguments) {
                                               "command line", "", "", "Usage: " + new_form().usage});
     const fs::path scene = fs::absolute(text_option(*values, "out").value_or("scene.ini")).lexically_normal();
     const auto study = text_option(*values, "study");
-    const auto refuse_existing = [&](const std::string& option, const std::string& file) {
+    const auto refuse_existing = [&](const char* option, const std::string& file) {
         if (fs::exists(file) && values->count("overwrite") == 0)
             throw Error(ErrorKind::input,
                         Problem{"exists already", option, file, "", "Choose another name, or add --overwrite"});
