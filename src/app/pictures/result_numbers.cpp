@@ -119,7 +119,6 @@ std::optional<Troubles> troubles_in(const Json& summary) {
 
 namespace {
 
-/// A sentence as JSON: a text that is the same in all languages, {"number": "1 234.5"}, or [pattern, values ...].
 struct SentenceWriter {
     Json json{};
 
@@ -130,11 +129,7 @@ struct SentenceWriter {
             json = {{"number", text}};
         } else {
             json = Json::array({text});
-            for (Sentence& value : values) {
-                SentenceWriter writer;
-                value.serialise(writer);
-                json.push_back(std::move(writer.json));
-            }
+            for (const Sentence& value : values) json.push_back(json_of(value));
         }
     }
 };
@@ -146,20 +141,29 @@ struct SentenceReader {
         const Json& first = json.is_array() && !json.empty() ? json.front() : json;
         kind = json.is_array() ? 2 : json.is_object() ? 1 : 0;
         text = first.is_string() ? first.get<std::string>() : value_in<std::string>(first, "/number").value_or("");
-        for (std::size_t i = 1; json.is_array() && i < json.size(); ++i)
-            SentenceReader{json[i]}.read(values.emplace_back());
+        for (std::size_t i = 1; json.is_array() && i < json.size(); ++i) values.push_back(sentence_in(json[i]));
     }
-    void read(Sentence& sentence) const { sentence.serialise(*this); }
 };
 
 }  // namespace
 
+Json json_of(Sentence sentence) {
+    SentenceWriter writer;
+    sentence.serialise(writer);
+    return std::move(writer.json);
+}
+
+Sentence sentence_in(const Json& json) {
+    Sentence sentence;
+    SentenceReader reader{json};
+    sentence.serialise(reader);
+    return sentence;
+}
+
 Json json_of(const Warnings& warnings) {
     Json all = Json::array();
-    for (Warning warning : warnings) {
-        SentenceWriter writer;
-        warning.words.serialise(writer);
-        Json& one = all.emplace_back(Json{{"words", std::move(writer.json)}, {"limits_use", warning.limits_use}});
+    for (const Warning& warning : warnings) {
+        Json& one = all.emplace_back(Json{{"words", json_of(warning.words)}, {"limits_use", warning.limits_use}});
         if (warning.place) one["place"] = {warning.place->x, warning.place->y};
     }
     return all;
@@ -170,7 +174,7 @@ Warnings warnings_in(const Json& summary) {
     const auto list = summary.find("warning_values");
     for (const Json& one : list != summary.end() && list->is_array() ? *list : Json::array()) {
         Warning& warning = warnings.emplace_back();
-        SentenceReader{one.is_object() ? one.value("words", Json()) : Json()}.read(warning.words);
+        warning.words = sentence_in(one.is_object() ? one.value("words", Json()) : Json());
         warning.limits_use = value_in<bool>(one, "/limits_use").value_or(false);
         const auto east = value_in<double>(one, "/place/0"), north = value_in<double>(one, "/place/1");
         if (east && north) warning.place = Point{*east, *north};

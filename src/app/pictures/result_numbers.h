@@ -43,6 +43,10 @@ Sentence headline(const Troubles& troubles);
 Json json_of(const Troubles& troubles);
 std::optional<Troubles> troubles_in(const Json& summary);
 
+/// A sentence: a text that is the same in all languages, {"number": "1 234.5"}, or [pattern, values ...]; and back.
+Json json_of(Sentence sentence);
+Sentence sentence_in(const Json& json);
+
 /// Warnings as `warning_values` of summary.json, from which a page in any language is made, and back; none: an older
 /// summary.
 Json json_of(const Warnings& warnings);

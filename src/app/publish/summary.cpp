@@ -120,7 +120,7 @@ std::string record_text(const AccuracyRecord& record) {
     for (const AccuracyLevel& level : record.levels) {
         Json values = Json::array();
         for (const RunValue& v : level.values)
-            values.push_back({v.key, v.title, v.unit, v.value, v.resolution, v.negligible});
+            values.push_back({v.key, json_of(v.title), v.unit, v.value, v.resolution, v.negligible});
         json["levels"].push_back({level.cell_size, level.particles, level.steps, level.wall_seconds, level.curvature,
                                   level.finest_curvature, std::move(values), level.problem});
     }
@@ -132,7 +132,8 @@ AccuracyRecord record_from_text(const std::string& text) try {
     AccuracyRecord record{json.at("asked"), json.at("finest"), json.at("terrain"), json.at("chosen"), {}};
     for (const Json& row : json.at("levels")) {
         AccuracyLevel level{row.at(0), row.at(1), row.at(2), row.at(3), row.at(4), row.at(5), {}, row.at(7)};
-        for (const Json& v : row.at(6)) level.values.push_back({v.at(0), v.at(1), v.at(2), v.at(3), v.at(4), v.at(5)});
+        for (const Json& v : row.at(6))
+            level.values.push_back({v.at(0), sentence_in(v.at(1)), v.at(2), v.at(3), v.at(4), v.at(5)});
         record.levels.push_back(std::move(level));
     }
     return record;
