@@ -153,23 +153,43 @@ std::vector<EstimatedValue> estimates_of(const std::vector<Level>& levels, const
     return estimates;
 }
 
-/// The titles, then a row for each level.
-std::vector<std::vector<std::string>> level_rows(const std::vector<SchemeLevels>& schemes) {
-    std::vector<std::vector<std::string>> rows{
-        {"scheme", "cell_size_m", "particles", "steps", "wall_seconds", "cpu_seconds", "error", "not_converged"}};
-    for (const RunStatistic& name : reported_statistics()) rows[0].emplace_back(name.key);
-    for (const RunStatistic& name : reported_statistics()) rows[0].push_back(std::string("error_") + name.key);
-    const auto cell = [](double value) { return std::isfinite(value) ? shortest_text(value) : std::string(); };
+/// A row for each level.
+Json level_rows(const std::vector<SchemeLevels>& schemes) {
+    Json rows = Json::array();
+    const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
     for (const SchemeLevels& one : schemes)
         for (const Level& l : one.levels) {
-            auto& row = rows.emplace_back();
-            row = {
-                one.name(),           cell(l.cell_size),   std::to_string(l.particles), std::to_string(l.steps),
-                cell(l.wall_seconds), cell(l.cpu_seconds), cell(one.worst(l).first),    std::to_string(one.unknown())};
-            for (const EstimatedValue& value : one.estimates) row.push_back(cell(value.statistic.of(l.statistics)));
-            for (const EstimatedValue& value : one.estimates) row.push_back(cell(one.error(l, value)));
+            Json& row = rows.emplace_back(Json{{"scheme", one.name()},
+                                               {"cell_size_m", number(l.cell_size)},
+                                               {"particles", l.particles},
+                                               {"steps", l.steps},
+                                               {"wall_seconds", number(l.wall_seconds)},
+                                               {"cpu_seconds", number(l.cpu_seconds)},
+                                               {"error", number(one.worst(l).first)},
+                                               {"not_converged", one.unknown()}});
+            for (const EstimatedValue& value : one.estimates)
+                row[value.statistic.key] = number(value.statistic.of(l.statistics));
+            for (const EstimatedValue& value : one.estimates)
+                row[std::string("error_") + value.statistic.key] = number(one.error(l, value));
         }
     return rows;
+}
+
+/// The same as a table, its titles first.
+std::string csv_of(const Json& rows) {
+    std::vector<std::string> titles;
+    for (const auto& [title, value] : rows.front().items()) titles.push_back(title);
+    std::string csv = csv_line(titles);
+    for (const Json& row : rows) {
+        std::vector<std::string> cells;
+        for (const Json& value : row)
+            cells.push_back(value.is_null()           ? ""
+                            : value.is_string()       ? value.get<std::string>()
+                            : value.is_number_float() ? shortest_text(value.get<double>())
+                                                      : value.dump());
+        csv += csv_line(cells);
+    }
+    return csv;
 }
 
 constexpr double k_good = 0.05;  // error up to which a level counts as good
@@ -505,10 +525,8 @@ int cmd_converge(const Arguments& arguments) {
     const Words words = words_of(spec);
     write_uncertainty((folder / k_uncertainty).string() + ".tif", levels, spec, words);
     const std::string text = sentences(levels, schemes.front().estimates);
-    const std::vector<std::vector<std::string>> rows = level_rows(schemes);
-    std::string csv;
-    for (const auto& row : rows) csv += csv_line(row);
-    write_text_file((folder / k_table).string(), csv);
+    const Json rows = level_rows(schemes);
+    write_text_file((folder / k_table).string(), csv_of(rows));
     write_error_estimate(folder.string(), spec, text);
     write_text_file((folder / k_study).string(), study_json(schemes, spec));
     is_drawn(k_chart, log, [&] { render::write_png((folder / k_chart).string(), chart_of(schemes, words)); });
@@ -520,7 +538,7 @@ int cmd_converge(const Arguments& arguments) {
         document["files"] = files_of(folder);
         if (!report.empty()) document["files"].push_back(report);
         document["convergence"] = Json::parse(study_json(schemes, spec));
-        document["levels"] = rows_of(rows);
+        document["levels"] = rows;
         document["least_time"] = least_time(schemes);
         print_document(document);
     } else {

@@ -279,7 +279,7 @@ void log_written(const std::vector<std::string>& files) {
 }
 
 /// Folder of pictures or an animation, and the files that must not be written to it.
-struct Place {
+struct DrawingPlace {
     std::string folder;
     std::string option;              ///< that specifies it
     std::vector<std::string> reads;  ///< results that they may be written to
@@ -288,7 +288,7 @@ struct Place {
 
 /// Prepares a folder for files, before the first is written. Throws Error, with nothing made, if one of them would
 /// replace a file not made by frana or belongs to another result.
-void prepare_place(const Place& place, const std::vector<std::string>& files, const KeptFiles& kept,
+void prepare_place(const DrawingPlace& place, const std::vector<std::string>& files, const KeptFiles& kept,
                    Problems& problems) {
     kept.check_pictures(files, place.option.c_str(), problems);
     problems.throw_if_any();  // one problem per file
@@ -341,7 +341,7 @@ void render_animation(const ResultReader& result, const MapSource& source, const
     std::cout << *request.animation << '\n';
 }
 
-void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool view_3d, const Place& place,
+void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool view_3d, const DrawingPlace& place,
           const KeptFiles& kept) {
     const auto stem = [&](const MapLayer& layer) {
         return (fs::path(place.folder) / (layer.name + (view_3d ? "_3d" : ""))).string();
