@@ -298,7 +298,9 @@ Warnings run_warnings(const RunResult& result, const Scene& scene) {
     if (result.stop_reason == StopReason::reached_no_data) {
         warnings.push_back({worded("the run ended at ground without elevation: use a larger DTM"), true});
     }
-    if (!result.hard_events.none())
+    HardEvents others = result.hard_events;
+    if (result.stop_reason == StopReason::reached_no_data) others.entered_no_data = 0;
+    if (!others.none())
         warnings.push_back({worded("There were numerical events that do not occur in a good run."), true});
     warn_of_gaps(result, scene, warnings);
     warn_of_motion(result, warnings);
