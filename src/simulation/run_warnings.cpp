@@ -304,6 +304,9 @@ Warnings run_warnings(const RunResult& result, const Scene& scene) {
         warnings.push_back({worded("There were numerical events that do not occur in a good run."), true});
     warn_of_gaps(result, scene, warnings);
     warn_of_motion(result, warnings);
+    if (!result.released.empty() && result.stop_reason == StopReason::still &&
+        !(maximum(result.raster("max_velocity")) > 0))
+        warnings.push_back({worded("nothing moved: check material, release and DTM"), true});
     warnings += thin_release_warnings(result.raster("release"), scene);
     warn_of_thin_flow(result, scene, warnings);
     warn_of_empty_trace(result, scene, warnings);
@@ -312,7 +315,9 @@ Warnings run_warnings(const RunResult& result, const Scene& scene) {
     warn_of_energy(result, warnings);
     warn_of_piles(result, scene, warnings);
     const double shown = result.volume_shown;
-    if (std::abs(shown - result.volume_final) > k_shown_fraction * result.volume_final) {
+    // What is thinner than what is shown has a sentence of its own, and smaller cells would not help.
+    const double hidden = result.thin_fraction < k_thin_fraction ? 0 : result.thin_fraction;
+    if (std::abs(shown - result.volume_final) > (k_shown_fraction + hidden) * result.volume_final) {
         warnings.push_back(worded("final_depth.tif has {1} m3, the flow {2} m3: use smaller cells",
                                   {numeral(grouped(shown)), numeral(grouped(result.volume_final))}));
     }

@@ -116,6 +116,18 @@ TEST_F(Mistakes, AVolumeOfAnotherUnitThanItsThicknessIsTold) {
         << "a thickness of 1 only stands for a shape";
 }
 
+TEST_F(Mistakes, ASchemeOfAnotherProcessIsTold) {
+    const auto told = [&](const std::string& scheme, const std::string& density) {
+        const Outcome outcome = check({"hazard.scheme=" + scheme, "material.density=" + density});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return outcome.err;
+    };
+    expect_words(told("swiss-avalanche", "2000"), {"hazard.scheme = swiss-avalanche is of snow: material.density"});
+    expect_words(told("austrian-torrent", "300"), {"hazard.scheme = austrian-torrent is not of snow"});
+    EXPECT_EQ(told("swiss-avalanche", "300"), "");
+    EXPECT_EQ(told("austrian-torrent", "1100"), "");
+}
+
 TEST_F(Mistakes, ADecimalCommaIsNamed) {
     for (const std::string key : {"release.thickness=2,5", "release.velocity=1,5", "material.density=1,9"})
         expect_refused(check({key}), {key.substr(0, key.find('=')), "decimals after a point, not a comma"});
@@ -174,6 +186,16 @@ TEST_F(Mistakes, GroundWithoutElevationThatHoldsTheFlowAsAWallIsTold) {
     };
     expect_words(told("held", "30"), {"terrain.nodata-policy = wall holds back flow up to"});
     EXPECT_EQ(told("free", "1").find("holds back flow"), std::string::npos) << "the flow has not come there";
+}
+
+TEST_F(Mistakes, AReleaseThatDoesNotMoveIsTold) {
+    const auto told = [&](const std::string& name, const std::string& yield) {
+        return frana({"run", "scene.ini", "--out", name, "--set", "material.bed-friction=coulomb, bingham", "--set",
+                      "material.viscosity=10", "--set", "material.yield-stress=" + yield})
+            .err;
+    };
+    expect_words(told("held", "500000"), {"nothing moved: check material, release and DTM"});
+    EXPECT_EQ(told("free", "200").find("nothing moved"), std::string::npos);
 }
 
 TEST_F(Mistakes, AGaugeThatStaysDryIsNamed) {

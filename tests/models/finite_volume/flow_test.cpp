@@ -346,6 +346,7 @@ TEST(FiniteVolumes, FrictionWorksOnWhatPassesOnly) {
     material.friction_coefficient = 0.15;
     material.turbulence = 1400;
     FiniteVolumeFlow flow = flow_on(bed, seeds, material, volumes(Boundary::open));
+    flow.set_moving_speed(0.1);
     EnergyWatch watch;
     StepStatistics last;
     for (; flow.time() < 600; watch.add(last)) last = flow.step(10);
