@@ -304,7 +304,7 @@ Warnings run_warnings(const RunResult& result, const Scene& scene) {
         warnings.push_back({worded("There were numerical events that do not occur in a good run."), true});
     warn_of_gaps(result, scene, warnings);
     warn_of_motion(result, warnings);
-    if (!result.released.empty() && result.stop_reason == StopReason::still &&
+    if (!result.released.empty() && result.stop_reason != StopReason::requested &&
         !(maximum(result.raster("max_velocity")) > 0))
         warnings.push_back({worded("nothing moved: check material, release and DTM"), true});
     warnings += thin_release_warnings(result.raster("release"), scene);

@@ -190,8 +190,8 @@ TEST_F(Mistakes, GroundWithoutElevationThatHoldsTheFlowAsAWallIsTold) {
 
 TEST_F(Mistakes, AReleaseThatDoesNotMoveIsTold) {
     const auto told = [&](const std::string& name, const std::string& yield) {
-        return frana({"run", "scene.ini", "--out", name, "--set", "material.bed-friction=coulomb, bingham", "--set",
-                      "material.viscosity=10", "--set", "material.yield-stress=" + yield})
+        return frana({"run", "scene.ini", "--out", name, "--set", "material.bed-friction=coulomb, turbulence, bingham",
+                      "--set", "material.viscosity=10", "--set", "material.yield-stress=" + yield})
             .err;
     };
     expect_words(told("held", "500000"), {"nothing moved: check material, release and DTM"});
