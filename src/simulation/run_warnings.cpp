@@ -302,10 +302,15 @@ Warnings run_warnings(const RunResult& result, const Scene& scene) {
     if (result.stop_reason == StopReason::reached_no_data) {
         warnings.push_back({worded("the run ended at ground without elevation: use a larger DTM"), true});
     }
-    if (!result.hard_events.none())
+    HardEvents others = result.hard_events;
+    if (result.stop_reason == StopReason::reached_no_data) others.entered_no_data = 0;
+    if (!others.none())
         warnings.push_back({worded("There were numerical events that do not occur in a good run."), true});
     warn_of_gaps(result, scene, warnings);
     warn_of_motion(result, warnings);
+    if (!result.released.empty() && result.stop_reason != StopReason::requested &&
+        !(maximum(result.raster("max_velocity")) > 0))
+        warnings.push_back({worded("nothing moved: check material, release and DTM"), true});
     warnings += thin_release_warnings(result.raster("release"), scene);
     warn_of_thin_flow(result, scene, warnings);
     warn_of_empty_trace(result, scene, warnings);
@@ -314,7 +319,9 @@ Warnings run_warnings(const RunResult& result, const Scene& scene) {
     warn_of_energy(result, warnings);
     warn_of_piles(result, scene, warnings);
     const double shown = result.volume_shown;
-    if (std::abs(shown - result.volume_final) > k_shown_fraction * result.volume_final) {
+    // What is thinner than what is shown has a sentence of its own, and smaller cells would not help.
+    const double hidden = result.thin_fraction < k_thin_fraction ? 0 : result.thin_fraction;
+    if (std::abs(shown - result.volume_final) > (k_shown_fraction + hidden) * result.volume_final) {
         warnings.push_back(worded("final_depth.tif has {1} m3, the flow {2} m3: use smaller cells",
                                   {numeral(grouped(shown)), numeral(grouped(result.volume_final))}));
     }

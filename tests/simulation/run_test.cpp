@@ -135,6 +135,25 @@ TEST(Run, AnErrorOfEnergyThatMovesTheRunOutIsTold) {
 }
 
 // A few drops over the edge leave the map as it is.
+TEST(Run, ThinFlowIsMissingInFinalDepthForOneReason) {
+    const Scene scene = slide();
+    RunResult result;
+    result.add("bed", scene.terrain);
+    for (const char* name : {"final_depth", "max_depth", "release"}) result.add(name, Raster(scene.grid, 1.0));
+    result.volume_final = 1000;
+    result.volume_shown = 930;
+    for (const auto& [thin, told] : {std::pair{0.0, "final_depth.tif has"}, {0.12, "12 % of flow thinner than"}}) {
+        result.thin_fraction = thin;
+        int found = 0;
+        for (const std::string& text : texts_of(run_warnings(result, scene))) {
+            const bool is_told = text.find(told) != std::string::npos;
+            found += is_told || text.find("final_depth.tif has") != std::string::npos ? 1 : 0;
+            EXPECT_TRUE(is_told || text.find("final_depth.tif has") == std::string::npos) << text;
+        }
+        EXPECT_EQ(found, 1) << thin;
+    }
+}
+
 TEST(Run, WhatLeavesIsToldWhereItCounts) {
     const Scene scene = slide();
     RunResult result;

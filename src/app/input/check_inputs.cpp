@@ -170,6 +170,22 @@ void question_mean(const ReleaseInput& release, const TerrainInput& ground, RunL
     }
 }
 
+/// A volume and a thickness that differ by a power of ten; a thickness of 1 only stands for a shape.
+void question_volume(const SourceSpec& given, const ReleaseInput& release, RunLog& log) {
+    constexpr double k_least = 5, k_about = 0.097;  // 25 % off a power of ten: slopes, thickness along the normal
+    double stated = 0, outlined = 0;
+    for (const ReleaseArea& one : release.areas) {
+        if (one.thickness_raster || one.thickness == 1) return;
+        outlined += area(one.outline) * one.thickness;
+        stated += one.volume.value_or(0);
+    }
+    if (given.kind == SourceSpec::Kind::number) stated = given.number;
+    const double ratio = stated / outlined, decades = std::log10(ratio);
+    if (!(std::max(ratio, 1 / ratio) > k_least) || std::abs(decades - std::round(decades)) > k_about) return;
+    log.warn(worded("release.volume is {1} times outline x thickness: is its unit m3?",
+                    {numeral(number_text(std::pow(10, std::round(decades)), 3))}));
+}
+
 /// Refuses a thickness greater than that of any landslide: a raster of elevations, nodata that no file declares, a
 /// volume in other units.
 void check_greatest(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release,
@@ -199,6 +215,7 @@ void check_greatest(const SceneReading& reading, const TerrainInput& ground, con
     if (greatest > 0) check_thickness(greatest, reading.where("release.thickness"), problems);
     if (problems.empty()) question_raster(std::move(of_raster), std::sqrt(area(outlines)), log);
     if (problems.empty() && !volume) question_mean(release, ground, log);
+    if (problems.empty() && volume) question_volume(*volume, release, log);
     if (mean > 0) check_thickness(mean, reading.where("release.volume"), problems);
 }
 

@@ -20,7 +20,8 @@ struct Cells {
     double* weight;                                            ///< g' [m/s2]
     double *slowed_x, *slowed_y;                               ///< change of w by friction in half a step [m/s]
     double *pull_x, *pull_y, *bound;                           ///< momentum after a step without friction, and what
-                                                               ///< friction stops in it, per time [m2/s2]
+                                                               ///< friction stops in it, per time [m2/s2]; after
+                                                               ///< the sweeps what passed the faces [m2/s]
     double* spare;                                   ///< speed that friction could also stop in half a step [m/s]
     double* held;                                    ///< 1: friction keeps the cell at rest
     double* head;                                    ///< greatest energy over weight, times g [m2/s2]

@@ -294,6 +294,7 @@ FRANA_INLINE void update_cells(const Cells& c, std::size_t k, std::size_t q, std
     const Quad slope_x = L::load(c.slope_x + k, n), slope_y = L::load(c.slope_y + k, n), root = L::load(c.root + k, n);
     const Quad h = L::load(c.depth + k, n);
     const Quad next = max(Quad(0.0), h - rate * change(after.mass, before.mass));
+    L::store(0.5 * (L::load(before.mass + q, n) + L::load(after.mass + q, n)), (along_y ? c.pull_y : c.pull_x) + k, n);
     const Quad normal = -rate * change(after.normal, before.normal),
                tangential = -rate * change(after.tangential, before.tangential);
     const Quad force = -rate * L::load(c.weight + k, n) *
@@ -376,10 +377,15 @@ FRANA_INLINE void finish_cells(const Cells& c, std::size_t k, std::size_t n, con
     to_greatest(select(deep, speed, zero), totals.max_speed);
     to_greatest(select(wet, max(abs(moved.x), abs(moved.y)) + sqrt(v.wave_factor * at(c.weight) * h), zero),
                 totals.wave);
-    // Friction's work over the way of the step, by the mean speed: what does not move does none.
-    to_sum(0.5 * h * (driven - slowed) * (began + slowed), totals.dissipated);
+    // Friction works over the way of what passes the faces: at the rim of a deposit waves may carry back all that the
+    // speed of a cell carries, and nothing moves.
+    const Number fluxed_x = at(c.pull_x), fluxed_y = at(c.pull_y),
+                 climb = (fluxed_x * slope_x + fluxed_y * slope_y) / (root + 1);
+    const Number passed = max(zero, tx * (fluxed_x + climb * slope_x) + ty * (fluxed_y + climb * slope_y)) /
+                          select(driven > 0, driven, one);
+    to_sum((driven - slowed) * passed, totals.dissipated);
     to_sum(h * speed, totals.momentum);
-    to_sum(select(speed > v.moving_speed, h, zero), totals.moving);
+    to_sum(select(passed > 0.5 * v.moving_speed * (h + at(c.before)), h, zero), totals.moving);
     to_sum(select(wet & L::none(curved > -v.gravity), one, zero), totals.unsupported);
     to_sum(select((h >= 0) & (1e9 > h + driven), zero, one), totals.not_finite);
 }

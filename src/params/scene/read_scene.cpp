@@ -55,6 +55,25 @@ std::vector<std::string> overridden(std::vector<std::string> all, const std::vec
     return all;
 }
 
+namespace {
+
+/// Classes of avalanches on what is too heavy for snow, those of other processes on what is too light for water.
+void question_scheme(SceneReading& reading) {
+    constexpr double k_heaviest_snow = 700;  // [kg/m3], wet and packed
+    const SceneSpec& scene = reading.scene;
+    const std::string name = scene.hazard.scheme.value_or("custom");
+    if (!scene.hazard.resolved || name == "custom" || scene.origin_of("material.density") == Origin::default_value)
+        return;
+    const bool is_snow = scene.material.density <= k_heaviest_snow;
+    if ((name.find("avalanche") != std::string::npos) == is_snow || name.ends_with(".ini")) return;
+    reading.warnings.push_back(worded(is_snow
+                                          ? worded("hazard.scheme = {1} is not of snow: material.density = {2} kg/m3")
+                                          : worded("hazard.scheme = {1} is of snow: material.density = {2} kg/m3"),
+                                      {name, numeral(shortest_text(scene.material.density))}));
+}
+
+}  // namespace
+
 SceneReading read_scene(const std::string& path, const std::vector<std::string>& overrides, const std::string& share,
                         const std::string& override_label) {
     SceneReading reading;
@@ -85,6 +104,7 @@ SceneReading read_scene(const std::string& path, const std::vector<std::string>&
         const auto value = number_from_text(key->write(reading.scene).value_or(""));
         if (const auto warning = value ? implausible(name, *value) : std::nullopt) reading.warnings.push_back(*warning);
     }
+    question_scheme(reading);
     return reading;
 }
 

@@ -72,6 +72,7 @@ TEST_F(Mistakes, UnusualValuesAreToldWithWhatWasMeant) {
              {{"release.velocity=90"}, {"release.velocity = 90 is unusual", "km/h, write 25"}},
              {{"material.density=20"}, {"material.density = 20 is unusual", "write 2039"}},
              {{"material.turbulence=5"}, {"material.turbulence = 5 is unusual"}},
+             {{"material.turbulence=30"}, {"material.turbulence = 30 is unusual"}},
              {{"terrain.obstacles=dam.geojson", "terrain.obstacle-height=220"},
               {"terrain.obstacle-height = 220 is unusual", "above the ground"}},
              {{"material.turbulence=20000"}, {"material.turbulence = 20000 is unusual", "100 to 4 000"}},
@@ -102,6 +103,29 @@ TEST_F(Mistakes, UnusualValuesAreToldWithWhatWasMeant) {
     EXPECT_EQ(check({"release.velocity=10", "release.direction=90", "material.density=300"}).err, "");
     EXPECT_EQ(check({"release.velocity=10", "release.direction=30"}).err, "");
     EXPECT_EQ(check({"material.bed-friction=coulomb, turbulence, cohesion", "material.cohesion=200"}).err, "");
+}
+
+// The outline has 2 000 m2; in the scene it is 2 m thick.
+TEST_F(Mistakes, AVolumeOfAnotherUnitThanItsThicknessIsTold) {
+    for (const auto& [volume, times] : {std::pair{"40000", "10 times"}, {"33000", "10 times"}, {"4", "0.001 times"}})
+        expect_words(check({std::string("release.volume=") + volume}).err,
+                     {std::string("release.volume is ") + times + " outline x thickness: is its unit m3?"});
+    for (const char* good : {"1000", "4000", "12000"})
+        EXPECT_EQ(check({std::string("release.volume=") + good}).err.find("outline x thickness"), std::string::npos);
+    EXPECT_EQ(check({"release.thickness=1", "release.volume=20000"}).err.find("outline x thickness"), std::string::npos)
+        << "a thickness of 1 only stands for a shape";
+}
+
+TEST_F(Mistakes, ASchemeOfAnotherProcessIsTold) {
+    const auto told = [&](const std::string& scheme, const std::string& density) {
+        const Outcome outcome = check({"hazard.scheme=" + scheme, "material.density=" + density});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return outcome.err;
+    };
+    expect_words(told("swiss-avalanche", "2000"), {"hazard.scheme = swiss-avalanche is of snow: material.density"});
+    expect_words(told("austrian-torrent", "300"), {"hazard.scheme = austrian-torrent is not of snow"});
+    EXPECT_EQ(told("swiss-avalanche", "300"), "");
+    EXPECT_EQ(told("austrian-torrent", "1100"), "");
 }
 
 TEST_F(Mistakes, ADecimalCommaIsNamed) {
@@ -162,6 +186,16 @@ TEST_F(Mistakes, GroundWithoutElevationThatHoldsTheFlowAsAWallIsTold) {
     };
     expect_words(told("held", "30"), {"terrain.nodata-policy = wall holds back flow up to"});
     EXPECT_EQ(told("free", "1").find("holds back flow"), std::string::npos) << "the flow has not come there";
+}
+
+TEST_F(Mistakes, AReleaseThatDoesNotMoveIsTold) {
+    const auto told = [&](const std::string& name, const std::string& yield) {
+        return frana({"run", "scene.ini", "--out", name, "--set", "material.bed-friction=coulomb, turbulence, bingham",
+                      "--set", "material.viscosity=10", "--set", "material.yield-stress=" + yield})
+            .err;
+    };
+    expect_words(told("held", "500000"), {"nothing moved: check material, release and DTM"});
+    EXPECT_EQ(told("free", "200").find("nothing moved"), std::string::npos);
 }
 
 TEST_F(Mistakes, AGaugeThatStaysDryIsNamed) {

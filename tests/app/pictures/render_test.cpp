@@ -3,6 +3,7 @@
 #include <regex>
 #include <sstream>
 
+#include "app/pictures/animation.h"
 #include "support/tiny_scene.h"
 
 namespace frana::test {
@@ -75,6 +76,15 @@ TEST_F(Render, AFrameShowsItsOwnFigures) {
     const std::string whole = read_text(path("frame/max_depth.svg"));
     EXPECT_NE(whole.find(">Run-out"), std::string::npos);
     EXPECT_EQ(whole.find(">Front at"), std::string::npos);
+}
+
+TEST_F(Render, AFilmAndItsLegendAreNamedAfterWhatItShows) {
+    const app::ResultReader result(path("result"));
+    for (const auto& [quantity, title] : {std::pair{"depth", "Flow depth"}, {"velocity", "Flow velocity"}}) {
+        const app::MapLayer layer = app::animation_source(result, result.map_source(), quantity).layer;
+        EXPECT_EQ(layer.title, title);
+        EXPECT_TRUE(layer.legend_title.starts_with(title)) << layer.legend_title;
+    }
 }
 
 TEST_F(Render, AnyRasterOfTheResultAndAnyTime) {

@@ -76,6 +76,15 @@ TEST(ReportWords, TheVerdictOnAccuracyIsInTheLanguage) {
     EXPECT_EQ(german.find(" the "), std::string::npos) << german;
 }
 
+TEST(ReportWords, AValueThatDivergesHasNoBar) {
+    AccuracyRecord all = record(5);
+    all.levels[1].values[0].value = 11;  // 10, 11, 13.5: each change is greater than the one before
+    const std::string lines = estimate_lines(value_estimates(all)), verdict = accuracy_verdict(all);
+    EXPECT_NE(lines.find(", not converged; diverging"), std::string::npos) << lines;
+    EXPECT_EQ(lines.find("estimated error"), std::string::npos) << lines;
+    EXPECT_NE(verdict.find("maximum depth (not converged)"), std::string::npos) << verdict;
+}
+
 TEST(ReportWords, AnInputIsDescribedInTheLanguage) {
     UsedFile file;
     file.role = "Zones: zones.cohesion";

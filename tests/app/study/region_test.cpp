@@ -281,7 +281,8 @@ TEST_F(Region, FailedSlopesAreListedAndTheRestIsDone) {
 TEST_F(Region, SlopesThatWereCutAreTold) {
     write("scene.ini", read_text(path("scene.ini")) + "report = on\n");
     write_slopes(three());
-    write_region("[set]\ntime.end = 0.6\n");  // they run on to 6 s
+    write_polygon("house", {{118, 50}, {128, 50}, {128, 60}, {118, 60}});
+    write_region("[set]\ntime.end = 0.6\noutput.exposure = house.geojson\n");  // they run on to 6 s
     const Outcome outcome = batch();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const Json summary = parse_json(read_text(path("out/summary.json")));
@@ -291,6 +292,13 @@ TEST_F(Region, SlopesThatWereCutAreTold) {
         EXPECT_EQ(row.at("stop_reason"), "end-time");
         EXPECT_GE(std::stoi(row.at("warnings")), 1);
     }
+    const gis::Table exposed = gis::read_table(path("out/exposure.csv"), "exposure");
+    const auto house = [&](const std::string& column) {
+        const auto place = std::find(exposed.columns.begin(), exposed.columns.end(), column) - exposed.columns.begin();
+        return exposed.rows.at(0).at(static_cast<std::size_t>(place));
+    };
+    EXPECT_LT(std::stoi(house("sources")), 3);
+    EXPECT_EQ(house("sources_upper"), "3") << "all of them might have come";
     const std::string report = read_text(path("out/report.html"));
     EXPECT_LT(report.find("3 of 3 runs were cut"), report.find("id=\"answer\""));
     EXPECT_NE(report.find("it still moved at the end", report.find("<h2 id=\"slopes\"")), std::string::npos);

@@ -331,6 +331,31 @@ TEST(FiniteVolumes, RoughGroundGivesNoEnergy) {
     EXPECT_LT(*watch.error(), 1e-3);
 }
 
+// On a slope that becomes gentle the rim of a deposit lies where the ground is steeper than its friction. Each step
+// gives it a speed, and waves carry back what passes its faces: its friction, at that speed, would be 5 % of the
+// energy.
+TEST(FiniteVolumes, FrictionWorksOnWhatPassesOnly) {
+    const double steep = std::tan(M_PI / 6), gentle = 0.05;
+    const Raster bed = bench::sample_raster(bench::plain_grid(100, 30, 10), [&](Point p) {
+        const double bend = std::clamp(p.x - 500, 0.0, 300.0), beyond = std::max(p.x - 800, 0.0);
+        return 600 - steep * std::min(p.x, 800.0) + (steep - gentle) * bend * bend / 600 - gentle * beyond;
+    });
+    const ParticleSet seeds = bench::fill_lattice(bed.grid, 1, 0, [](Point p) {
+        return bench::Seed{std::hypot((p.x - 200) / 40, (p.y - 150) / 60) < 1 ? 1.0 : 0.0};
+    });
+    Material material = water();
+    material.friction_coefficient = 0.15;
+    material.turbulence = 1400;
+    FiniteVolumeFlow flow = flow_on(bed, seeds, material, volumes(Boundary::open));
+    flow.set_moving_speed(0.1);
+    EnergyWatch watch;
+    StepStatistics last;
+    for (; flow.time() < 600; watch.add(last)) last = flow.step(10);
+    ASSERT_TRUE(watch.error());
+    EXPECT_LT(*watch.error(), 0.01);
+    EXPECT_LT(last.moving, 0.08 * last.volume);
+}
+
 // Between two times the potential energy lost is what is gained in motion and lost to friction, but for what the ends
 // of the slab lose; none is gained.
 TEST(FiniteVolumes, EnergiesOfASlabAreInBalance) {

@@ -84,9 +84,12 @@ TEST_F(Modules, TheProgramOfTheBenchesIsNamedWhenItIsMissing) {
 }
 
 TEST_F(Modules, AMissingOneIsNamedBeforeTheRun) {
-    const Outcome outcome = copy({"run", "scene.ini", "--out", "out", "--set", "output.maps=on"});
-    EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
-    EXPECT_NE(outcome.err.find("vtk.so: a part of frana is missing"), std::string::npos) << outcome.err;
+    for (const char* command : {"run", "check"}) {
+        const Outcome outcome =
+            copy({command, "scene.ini", "--set", "output.directory=out", "--set", "output.maps=on"});
+        EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+        EXPECT_NE(outcome.err.find("vtk.so: a part of frana is missing"), std::string::npos) << outcome.err;
+    }
     EXPECT_FALSE(fs::exists(path("out")));
     EXPECT_EQ(copy({"run", "scene.ini", "--out", "out"}).exit_code, 0);
 }

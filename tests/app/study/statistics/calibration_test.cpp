@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <tuple>
 
 #include "app/study/plan/sampling.h"
 #include "app/study/statistics/calibration_posterior.h"
@@ -227,6 +228,23 @@ TEST(Posterior, FewMembersAreTold) {
     ASSERT_TRUE(few_members(5.6));
     EXPECT_NE(few_members(5.6)->text().find("5.6"), std::string::npos);
     EXPECT_FALSE(few_members(8));
+}
+
+TEST(CalibratedPosterior, AnEndWithin2PercentOfTheDistributionsLimitIsTold) {
+    KeyPosterior key;
+    key.key = "material.turbulence";
+    key.low = 101;
+    key.high = 160;
+    for (const auto& [low, high, told] : {std::tuple{0.01, 0.6, "lower limit of its distribution, 101: widen it"},
+                                          {0.3, 0.99, "upper limit of its distribution, 160: widen it"},
+                                          {0.03, 0.97, ""},
+                                          {0.01, 0.99, ""}}) {  // it says nothing of this key
+        key.place_low = low;
+        key.place_high = high;
+        const std::vector<Sentence> doubts = edge_doubts({key});
+        ASSERT_EQ(doubts.empty(), std::string(told).empty());
+        for (const Sentence& doubt : doubts) EXPECT_NE(doubt.text().find(told), std::string::npos) << doubt.text();
+    }
 }
 
 }  // namespace
