@@ -231,17 +231,20 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
     const Quad hb = at(b.depth), hc = at(c.depth), zb = at(b.bed), zc = at(c.bed), dz = zc - zb, surface_b = hb + zb,
                surface_c = hc + zc;
     // Flow that goes down, or is fast enough to climb, has one bed at a face where the beds of both cells, each with
-    // its own slope, cross: the higher one would dam it. So has thin flow that runs down faster than its waves: it
-    // keeps the energy of the fall, which at a step is lost.
+    // its own slope, cross: the higher one would dam it. So has thin flow that runs faster than its waves, down or,
+    // with the energy for it, up: at a step its energy would be lost, and a sharp corner of the ground would dam it.
     const auto rises = dz > 0;
     const Quad upper = select(rises, hc, hb), towards = select(rises, at(b.speed), -at(c.speed));
     const auto pours = (upper > v.dry) & ((surface_c - surface_b) * dz > 0.5 * dz * dz);
-    const auto climbs = L::none(upper > v.dry) & (towards > 0) & (0.5 * towards * towards > v.gravity * abs(dz));
     const Quad low = min(zb, zc), high = max(zb, zc), from_below = min(high, max(low, below.bed)),
                from_above = min(high, max(low, above.bed)), middle = 0.5 * (from_below + from_above);
-    const Quad from = select(rises, at(c.normal), at(b.normal));
+    const Quad from = select(rises, at(c.normal), at(b.normal)), up = select(rises, at(b.normal), -at(c.normal)),
+               lower = select(rises, hb, hc);
     const auto runs = (select(rises, -at(c.speed), at(b.speed)) > 0) & (from * from > v.gravity * upper);
-    const auto one_bed = (pours | climbs) & ((0 > (from_above - from_below) * dz) | (runs & (abs(dz) > max(hb, hc))));
+    const auto able = (towards > 0) & (0.5 * up * up > v.gravity * abs(dz));
+    const auto climbs = L::none(upper > v.dry) & able, mounts = able & (up * up > v.gravity * lower);
+    const auto one_bed = (pours | climbs | mounts) &
+                         ((0 > (from_above - from_below) * dz) | ((runs | mounts) & (abs(dz) > max(hb, hc))));
     const Quad bed_below = select(one_bed, middle, from_below), bed_above = select(one_bed, middle, from_above),
                top = max(bed_below, bed_above);
     const Quad depth_below = max(zero, below.depth - (top - bed_below)),

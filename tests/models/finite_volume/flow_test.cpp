@@ -130,6 +130,43 @@ TEST(FiniteVolumes, AFilmKeepsItsSpeedRoundAnArc) {
     EXPECT_LT(kinetic / volume, 1.001 * most);
 }
 
+// A film of 1 m without friction falls 200 m down one face of a valley and climbs the other: height of its middle over
+// its fall. At the corner the ground of a cell rises by more than the film is deep, but not more than its energy.
+TEST(FiniteVolumes, AFilmClimbsTheOtherSideOfAValleyAsHighAsItFell) {
+    constexpr double k_fall = 200, k_top = 100;
+    constexpr double k_faces[][2] = {{30, 45}, {20, 50}, {30, 60}, {60, 20}};
+    for (const auto& [down_deg, up_deg] : k_faces)
+        for (const double cell : {5.0, 2.5}) {
+            const double down = std::tan(down_deg * M_PI / 180), up = std::tan(up_deg * M_PI / 180);
+            const double foot = k_top + k_fall / down, length = foot + 1.6 * k_fall / up;
+            const GridSpec grid = bench::plain_grid(std::llround(length / cell), 4, cell);
+            const Raster bed = bench::sample_raster(
+                grid, [&](Point p) { return p.x < foot ? (foot - p.x) * down : (p.x - foot) * up; });
+            const ParticleSet seeds = bench::fill_lattice(
+                grid, 1, 0, [&](Point p) { return bench::Seed{p.x > k_top && p.x < k_top + 20 ? 1.0 : 0.0}; });
+            FiniteVolumeFlow flow = flow_on(bed, seeds, water(), volumes(Boundary::wall));
+            const auto middle = [&] {
+                double volume = 0, height = 0;
+                flow.for_each_active_node([&](std::size_t k) {
+                    volume += flow.state().depth[k];
+                    height += flow.state().depth[k] * flow.nodes().bed[k];
+                });
+                return height / volume;
+            };
+            const double start = middle();
+            double lowest = start, highest = 0;
+            const double time = std::sqrt(2 * k_fall / k_gravity) *
+                                (1 / std::sin(down_deg * M_PI / 180) + 1 / std::sin(up_deg * M_PI / 180));
+            while (flow.time() < 1.1 * time) {
+                flow.step(1);
+                lowest = std::min(lowest, middle());
+                if (lowest < 0.5 * start) highest = std::max(highest, middle());
+            }
+            EXPECT_GT(highest, 0.93 * start) << down_deg << '/' << up_deg << ", " << cell;
+            EXPECT_LT(highest, 1.03 * start) << down_deg << '/' << up_deg << ", " << cell;
+        }
+}
+
 // What friction holds does not change by a bit, and costs nothing.
 TEST(FiniteVolumes, APileAtRestStaysToTheBit) {
     const GridSpec grid = bench::plain_grid(60, 60, 2);
