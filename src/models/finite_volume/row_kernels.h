@@ -242,7 +242,7 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
     const auto at = [&](const double* from) FRANA_INLINE_LAMBDA { return L::load(from + q, n); };
     const double half = 0.5 * v.dt / v.cell_size;
     const Side below = side_of(a, b, c, q, n, 0.5, half, v.dry), above = side_of(b, c, d, q, n, -0.5, half, v.dry);
-    const Quad zero(0.0), one(1.0);
+    const Quad zero(0.0), one(1.0), tiny(1e-300);
     const Quad hb = at(b.depth), hc = at(c.depth), zb = at(b.bed), zc = at(c.bed), dz = zc - zb, surface_b = hb + zb,
                surface_c = hc + zc;
     // Flow that goes down, or is fast enough to climb, has one bed at a face where the beds of both cells, each with
@@ -294,20 +294,26 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
     const Quad push = 0.5 * inverse * (depth_above * depth_above - depth_below * depth_below);
     const auto put = [&](Quad value, double* where) FRANA_INLINE_LAMBDA { L::store(value, where + q, n); };
     put(mass, to.mass);
-    put((fast * mb * below.normal - slow * mc * above.normal +
-         both * (depth_above * above.normal - depth_below * below.normal)) *
-            inverse * given,
+    // Waves on a pool move it horizontally however steep its bed is: what smooths them there is the difference of the
+    // velocities in map view. That of velocities along two different beds would drive them.
+    const auto pool = (abs(dz) > 2 * abs(surface_c - surface_b)) & wet_below & wet_above;
+    const Quad smoothing = both * inverse * given;
+    put((fast * mb * below.normal - slow * mc * above.normal) * inverse * given +
+            select(pool, zero, smoothing * (depth_above * above.normal - depth_below * below.normal)),
         to.normal);
+    const Quad level = select(pool, smoothing * (depth_above * above.speed - depth_below * below.speed), zero);
     put(mass * select(mass > 0, below.tangential, above.tangential), to.tangential);
     // As each side sees it: above the pressure of its own depth, over the part of the bed that the other does not
     // share. What leaps a step arrives with the energy of its fall.
     const auto forth = mass > 0;
-    const Quad tiny(1e-300), leaves = select(forth, below.normal, -above.normal), drop = select(forth, -step, step),
-                             arrives = sqrt(max(zero, leaves * leaves + 2 * v.gravity * drop));
+    const Quad leaves = select(forth, below.normal, -above.normal), drop = select(forth, -step, step),
+               arrives = sqrt(max(zero, leaves * leaves + 2 * v.gravity * drop));
     const Quad gain = select(leaps, abs(mass) * (arrives - max(zero, leaves)), zero);
-    put(0.5 * below.depth * below.depth - slow * push + select(forth, zero, gain / max(at(b.drive), tiny)),
+    put(0.5 * below.depth * below.depth - slow * push + level / max(at(b.weight), tiny) +
+            select(forth, zero, gain / max(at(b.drive), tiny)),
         to.pressure_below);
-    put(0.5 * above.depth * above.depth - fast * push + select(forth, gain / max(at(c.drive), tiny), zero),
+    put(0.5 * above.depth * above.depth - fast * push + level / max(at(c.weight), tiny) +
+            select(forth, gain / max(at(c.drive), tiny), zero),
         to.pressure_above);
     put(bed_below - zb, to.step_below);
     put(bed_above - zc, to.step_above);
