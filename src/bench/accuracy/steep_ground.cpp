@@ -45,7 +45,8 @@ class FilmRun {
 
     /// Steps to `end`, or until nothing is left; calls observe(film) after each step.
     void advance_to(double end, const std::function<void(const Film&)>& observe) {
-        run_->advance_to(end, [&](const voellmy_bingham::StepReport& step) { observe(film(0.5 * step.dt)); });
+        const double lag = setup_.numerics.scheme == Scheme::finite_volume ? 0 : 0.5;  // of leapfrog's velocities
+        run_->advance_to(end, [&](const voellmy_bingham::StepReport& step) { observe(film(lag * step.dt)); });
     }
     /// Sets the point about which angular momentum is computed.
     void turns_about(Point middle) { middle_ = middle; }
@@ -60,7 +61,7 @@ class FilmRun {
             const Point v = run_->velocity(p);
             const Point at{particles[Field::x][p] - lag * v.x, particles[Field::y][p] - lag * v.y};
             film.height += volume * ground_(at);
-            film.kinetic += volume * square_of_speed(p, at, v) / (2 * k_gravity);
+            film.kinetic += volume * square_of_speed(particles, p, at, v) / (2 * k_gravity);
             film.spin += volume * ((at.x - middle_.x) * v.y - (at.y - middle_.y) * v.x);
             total += volume;
         }
@@ -97,8 +98,7 @@ class FilmRun {
 
   private:
     // Along the bed: from the velocity stored by the particle, or from its velocity in map view there.
-    [[nodiscard]] double square_of_speed(std::size_t p, Point at, Point v) {
-        const ParticleSet& particles = run_->particles();
+    [[nodiscard]] double square_of_speed(const ParticleSet& particles, std::size_t p, Point at, Point v) const {
         // Particles carry the velocity along the bed, cells are given that in map view.
         if (curvature(setup_.numerics) && setup_.numerics.scheme != Scheme::finite_volume)
             return square(particles[Field::u][p]) + square(particles[Field::v][p]);

@@ -20,8 +20,9 @@ Jump jump_from(const State& s, const Laws& laws, std::size_t k) {
     const CellMotion motion = motion_of(s, laws, k);
     const auto cell = static_cast<std::int64_t>(k);
     const Point middle = s.nodes.middle(cell % s.nodes.stride(), cell / s.nodes.stride());
-    // The bed may throw over less than a cell: places a quarter before and behind the border are looked at.
-    const double reach = s.nodes.cell_size() / std::hypot(motion.u, motion.v), begin = 0.25 * reach;
+    // A bend of the splines begins at the border of a cell; there the slope is least and the flow fastest in map view.
+    const double size = s.nodes.cell_size(), reach = size / std::hypot(motion.u, motion.v),
+                 begin = 0.501 * size / std::max(std::abs(motion.u), std::abs(motion.v));
     return find_jump(s.nodes, rules, {middle.x + begin * motion.u, middle.y + begin * motion.v}, along, h, reach)
         .value_or(Jump{});
 }
@@ -49,10 +50,7 @@ void find_jumps(State& s, const Laws& laws, double dt, ThreadPool& pool) {
                     k - static_cast<std::size_t>(std::lround(motion.v / speed) * s.nodes.stride() +
                                                  std::lround(motion.u / speed));
                 const double thrown = jump.fraction - jump_from(s, laws, before).fraction;
-                // The cell of an edge has the steep ground behind it for its slope, so that its speed in map view is
-                // small: what passes it is what arrives.
-                const CellMotion arrives = motion_of(s, laws, before);
-                const double flux = std::max(s.depth[k] * speed, s.depth[before] * std::hypot(arrives.u, arrives.v));
+                const double flux = s.depth[k] * speed;
                 if (thrown > 0) found[n].add(thrown * flux * time * s.nodes.cell_size(), jump);
             });
     });

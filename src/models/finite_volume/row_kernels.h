@@ -21,20 +21,29 @@ FRANA_INLINE Number limited(Number a, Number b) {
     return select(a * b > 0, select(a > 0, least, -least), Number(0.0));
 }
 
-/// Differences of the surface towards the neighbours before and after a cell; a dry bank above the surface mirrors it.
+/// Differences of the surface towards the neighbours before and after a cell, and the bed's from one to the other; a
+/// dry bank above the surface mirrors it.
 template <class Number>
 struct SurfaceSteps {
-    Number before, after;
+    Number before, after, bed;
 };
 template <class Number>
-FRANA_INLINE SurfaceSteps<Number> surface_steps(Number surface, Number depth_before, Number bed_before,
+FRANA_INLINE SurfaceSteps<Number> surface_steps(Number depth, Number bed, Number depth_before, Number bed_before,
                                                 Number depth_after, Number bed_after, double dry) {
     using L = Lanes<Number>;
+    const Number zero(0.0), surface = depth + bed;
     const auto bank_before = L::none(depth_before > dry) & (bed_before >= surface),
                bank_after = L::none(depth_after > dry) & (bed_after >= surface);
-    const Number zero(0.0), down = surface - (depth_before + bed_before), up = depth_after + bed_after - surface;
-    return {select(bank_before, select(bank_after, zero, up), down),
-            select(bank_after, select(bank_before, zero, down), up)};
+    const auto mirrored = [&](Number down, Number up, Number& before, Number& after) FRANA_INLINE_LAMBDA {
+        before = select(bank_before, select(bank_after, zero, up), down);
+        after = select(bank_after, select(bank_before, zero, down), up);
+    };
+    SurfaceSteps<Number> steps{zero, zero, zero};
+    Number bed_down = zero, bed_up = zero;
+    mirrored(surface - (depth_before + bed_before), depth_after + bed_after - surface, steps.before, steps.after);
+    mirrored(bed - bed_before, bed_after - bed, bed_down, bed_up);
+    steps.bed = bed_down + bed_up;
+    return steps;
 }
 
 /// Returns g' = g / (1 + grad(h + Z) . grad Z), the weight of a flow whose vertical acceleration is that of its bed
@@ -93,13 +102,19 @@ FRANA_INLINE void prepare_cells(const Cells& c, std::size_t k, std::size_t n, co
     const MapVector<Number> u = in_map<Number>(wx, wy, slope_x, slope_y, root);
     const BedCurvatureOf<Number> curvature{at(c.curvature_xx), at(c.curvature_xy), at(c.curvature_yy), zero, zero};
     const Number supported = v.gravity + max(Number(-v.gravity), curvature.load(u.x, u.y));
-    const SurfaceSteps<Number> x = surface_steps<Number>(h + z, at(c.depth, -1), at(c.bed, -1), at(c.depth, 1),
-                                                         at(c.bed, 1), v.dry),
-                               y = surface_steps<Number>(h + z, at(c.depth, -c.stride), at(c.bed, -c.stride),
-                                                         at(c.depth, c.stride), at(c.bed, c.stride), v.dry);
+    const auto steps_along = [&](std::int64_t next) FRANA_INLINE_LAMBDA {
+        return surface_steps<Number>(h, z, at(c.depth, -next), at(c.bed, -next), at(c.depth, next), at(c.bed, next),
+                                     v.dry);
+    };
+    const SurfaceSteps<Number> x = steps_along(1), y = steps_along(c.stride);
     const double inverse_dx = 1 / v.cell_size;
-    const Number weight = weight_of<Number>(0.5 * inverse_dx * (x.before + x.after),
-                                            0.5 * inverse_dx * (y.before + y.after), slope_x, slope_y, root, v);
+    // The fall of a corner beyond the bed's slope in the cell is no slope of the flow.
+    const auto slope_of = [&](const SurfaceSteps<Number>& steps, Number slope) FRANA_INLINE_LAMBDA {
+        const Number surface = 0.5 * inverse_dx * (steps.before + steps.after),
+                     corner = 0.5 * inverse_dx * steps.bed - slope;
+        return surface - select(corner > 0, min(corner, max(surface, zero)), max(corner, min(surface, zero)));
+    };
+    const Number weight = weight_of<Number>(slope_of(x, slope_x), slope_of(y, slope_y), slope_x, slope_y, root, v);
     const Number sx = limited<Number>(x.before, x.after) * inverse_dx,
                  sy = limited<Number>(y.before, y.after) * inverse_dx;
     const Number fall_x = v.gravity_x - weight * sx, fall_y = v.gravity_y - weight * sy;
@@ -227,25 +242,31 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
     const auto at = [&](const double* from) FRANA_INLINE_LAMBDA { return L::load(from + q, n); };
     const double half = 0.5 * v.dt / v.cell_size;
     const Side below = side_of(a, b, c, q, n, 0.5, half, v.dry), above = side_of(b, c, d, q, n, -0.5, half, v.dry);
-    const Quad zero(0.0), one(1.0);
+    const Quad zero(0.0), one(1.0), tiny(1e-300);
     const Quad hb = at(b.depth), hc = at(c.depth), zb = at(b.bed), zc = at(c.bed), dz = zc - zb, surface_b = hb + zb,
                surface_c = hc + zc;
     // Flow that goes down, or is fast enough to climb, has one bed at a face where the beds of both cells, each with
-    // its own slope, cross: the higher one would dam it. So has thin flow that runs down faster than its waves: it
-    // keeps the energy of the fall, which at a step is lost.
+    // its own slope, cross: the higher one would dam it. So has thin flow that runs faster than its waves, down or,
+    // with the energy for it, up: at a step its energy would be lost, and a sharp corner of the ground would dam it.
     const auto rises = dz > 0;
     const Quad upper = select(rises, hc, hb), towards = select(rises, at(b.speed), -at(c.speed));
     const auto pours = (upper > v.dry) & ((surface_c - surface_b) * dz > 0.5 * dz * dz);
-    const auto climbs = L::none(upper > v.dry) & (towards > 0) & (0.5 * towards * towards > v.gravity * abs(dz));
     const Quad low = min(zb, zc), high = max(zb, zc), from_below = min(high, max(low, below.bed)),
                from_above = min(high, max(low, above.bed)), middle = 0.5 * (from_below + from_above);
-    const Quad from = select(rises, at(c.normal), at(b.normal));
+    const Quad from = select(rises, at(c.normal), at(b.normal)), up = select(rises, at(b.normal), -at(c.normal)),
+               lower = select(rises, hb, hc);
     const auto runs = (select(rises, -at(c.speed), at(b.speed)) > 0) & (from * from > v.gravity * upper);
-    const auto one_bed = (pours | climbs) & ((0 > (from_above - from_below) * dz) | (runs & (abs(dz) > max(hb, hc))));
+    const auto able = (towards > 0) & (0.5 * up * up > v.gravity * abs(dz));
+    const auto climbs = L::none(upper > v.dry) & able, mounts = able & (up * up > v.gravity * lower);
+    const Quad step = from_above - from_below,
+               corner = dz - 0.5 * (limited<Quad>(zb - at(a.bed), dz) + limited<Quad>(dz, at(d.bed) - zc));
+    const auto passes = pours | climbs | mounts, free = passes & (runs | mounts) & (abs(dz) > max(hb, hc)),
+               leaps = free & (corner * dz > 0.5 * dz * dz) & (step * dz > 0),
+               one_bed = (passes & (0 > step * dz)) | (free & L::none(leaps));
     const Quad bed_below = select(one_bed, middle, from_below), bed_above = select(one_bed, middle, from_above),
                top = max(bed_below, bed_above);
-    const Quad depth_below = max(zero, below.depth - (top - bed_below)),
-               depth_above = max(zero, above.depth - (top - bed_above));
+    const Quad depth_below = max(zero, below.depth - select(leaps, zero, top - bed_below)),
+               depth_above = max(zero, above.depth - select(leaps, zero, top - bed_above));
     const auto wet_below = depth_below > v.dry, wet_above = depth_above > v.dry;
     const Quad wave_below = sqrt(v.wave_factor * at(b.weight) * depth_below),
                wave_above = sqrt(v.wave_factor * at(c.weight) * depth_above);
@@ -273,15 +294,27 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
     const Quad push = 0.5 * inverse * (depth_above * depth_above - depth_below * depth_below);
     const auto put = [&](Quad value, double* where) FRANA_INLINE_LAMBDA { L::store(value, where + q, n); };
     put(mass, to.mass);
-    put((fast * mb * below.normal - slow * mc * above.normal +
-         both * (depth_above * above.normal - depth_below * below.normal)) *
-            inverse * given,
+    // Waves on a pool move it horizontally however steep its bed is: what smooths them there is the difference of the
+    // velocities in map view. That of velocities along two different beds would drive them.
+    const auto pool = (abs(dz) > 2 * abs(surface_c - surface_b)) & wet_below & wet_above;
+    const Quad smoothing = both * inverse * given;
+    put((fast * mb * below.normal - slow * mc * above.normal) * inverse * given +
+            select(pool, zero, smoothing * (depth_above * above.normal - depth_below * below.normal)),
         to.normal);
+    const Quad level = select(pool, smoothing * (depth_above * above.speed - depth_below * below.speed), zero);
     put(mass * select(mass > 0, below.tangential, above.tangential), to.tangential);
     // As each side sees it: above the pressure of its own depth, over the part of the bed that the other does not
-    // share.
-    put(0.5 * below.depth * below.depth - slow * push, to.pressure_below);
-    put(0.5 * above.depth * above.depth - fast * push, to.pressure_above);
+    // share. What leaps a step arrives with the energy of its fall.
+    const auto forth = mass > 0;
+    const Quad leaves = select(forth, below.normal, -above.normal), drop = select(forth, -step, step),
+               arrives = sqrt(max(zero, leaves * leaves + 2 * v.gravity * drop));
+    const Quad gain = select(leaps, abs(mass) * (arrives - max(zero, leaves)), zero);
+    put(0.5 * below.depth * below.depth - slow * push + level / max(at(b.weight), tiny) +
+            select(forth, zero, gain / max(at(b.drive), tiny)),
+        to.pressure_below);
+    put(0.5 * above.depth * above.depth - fast * push + level / max(at(c.weight), tiny) +
+            select(forth, gain / max(at(c.drive), tiny), zero),
+        to.pressure_above);
     put(bed_below - zb, to.step_below);
     put(bed_above - zc, to.step_above);
 }

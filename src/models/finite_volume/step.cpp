@@ -15,6 +15,22 @@ namespace {
 
 constexpr std::int64_t k_reach = 3;  // cells beside moving ones that a step may set free or reach
 
+// Ground between the differences to the cells before and after it.
+struct Corner {
+    double slope;
+    double turn;  // its angle over the difference of the slopes
+};
+
+// The flow passes a sharp corner at a face: the cell keeps the slope of the flatter side, which at the lip of a cliff
+// is that of the ground before it. With the mean of both it would go down the cliff there, slow in map view and deep.
+Corner corner_between(double before, double after, double cell_size) {
+    const double a = before / cell_size, b = after / cell_size, mean = 0.5 * (a + b);
+    const double flatter = a * b > 0 ? (std::abs(a) < std::abs(b) ? a : b) : 0;
+    const double most = 0.25 * (1 + flatter * flatter);
+    const double turn = std::abs(b - a) > 1e-6 ? (std::atan(b) - std::atan(a)) / (b - a) : 1;
+    return {flatter + std::clamp(mean - flatter, -most, most), turn};
+}
+
 // Reads what follows from the ground.
 void read_ground(State& s, const Laws& laws, const NodeRange& range) {
     const NodeGrid& nodes = s.nodes;
@@ -23,15 +39,23 @@ void read_ground(State& s, const Laws& laws, const NodeRange& range) {
         const bool wall =
             nodes.is_wall(k) || (laws.gap_is_wall && nodes.is_gap(k)) || (laws.wall && nodes.is_ghost(i, j));
         s.bed[k] = nodes.bed[k] + (wall ? k_wall_height : 0);
-        const Point slope = laws.along_bed ? node_slope(nodes, k, i, j) : Point{};
+        const auto corner = [&](bool inside, std::int64_t next) {
+            const double* const z = nodes.bed.data() + k;
+            return inside ? corner_between(z[0] - z[-next], z[next] - z[0], nodes.cell_size()) : Corner{0, 1};
+        };
+        const Corner x = corner(i > 0 && i < nodes.stride() - 1, 1),
+                     y = corner(j > 0 && j < nodes.padded_rows() - 1, nodes.stride());
+        const Point slope = laws.along_bed ? Point{x.slope, y.slope} : Point{};
         s.slope_x[k] = slope.x;
         s.slope_y[k] = slope.y;
-        s.root[k] = std::sqrt(1 + slope.x * slope.x + slope.y * slope.y);
+        const double n = 1 + slope.x * slope.x + slope.y * slope.y;
+        s.root[k] = std::sqrt(n);
         if (!laws.curved) return;
+        const double turned = std::min({1.0, n * x.turn, n * y.turn});
         const BedCurvature curvature = bed_curvature(nodes, k, i, j);
-        s.curvature_xx[k] = curvature.xx;
-        s.curvature_xy[k] = curvature.xy;
-        s.curvature_yy[k] = curvature.yy;
+        s.curvature_xx[k] = turned * curvature.xx;
+        s.curvature_xy[k] = turned * curvature.xy;
+        s.curvature_yy[k] = turned * curvature.yy;
     });
 }
 

@@ -73,6 +73,19 @@ TEST(FiniteVolumes, ALakeOnVeryRoughGroundIsDisturbedByRoundingOnly) {
     EXPECT_LT(greatest_speed(flow), 1e-10);
 }
 
+// An island with slopes of up to 78 degrees in water 50 cells deep. What smooths velocities along two different beds
+// drives waves: 8 m/s after 4 s.
+TEST(FiniteVolumes, ALakeRoundASteepIslandStaysAtRest) {
+    for (const double cell : {0.5, 0.2}) {
+        const Raster bed = bench::sample_raster(
+            bench::plain_grid(std::llround(10 / cell), std::llround(10 / cell), cell),
+            [](Point p) { return 13 * std::exp(-0.4 * ((p.x - 5) * (p.x - 5) + (p.y - 5) * (p.y - 5))); });
+        FiniteVolumeFlow flow = flow_on(bed, filled_to(bed, 10), water(), volumes(Boundary::wall));
+        flow.advance_to(20);
+        EXPECT_LT(greatest_speed(flow), 1e-12) << cell;
+    }
+}
+
 // A slab down a plane: ds/dt = g (sin - mu cos) - g s^2 / (xi d), s = s_t tanh(a t / s_t). The middle is beyond the
 // reach of its ends.
 TEST(FiniteVolumes, ASlabMovesAsABlock) {
@@ -129,6 +142,71 @@ TEST(FiniteVolumes, AFilmKeepsItsSpeedRoundAnArc) {
                  most = energy + k_gravity * (k_radius * (1 - half) + 120);
     EXPECT_GT(kinetic / volume, 0.98 * least);
     EXPECT_LT(kinetic / volume, 1.001 * most);
+}
+
+// A film of 1 m without friction falls 200 m down one face of a valley and climbs the other: height of its middle over
+// its fall. At the corner the ground of a cell rises by more than the film is deep, but not more than its energy.
+TEST(FiniteVolumes, AFilmClimbsTheOtherSideOfAValleyAsHighAsItFell) {
+    constexpr double k_fall = 200, k_top = 100;
+    constexpr double k_faces[][2] = {{30, 45}, {20, 50}, {30, 60}, {60, 20}};
+    for (const auto& [down_deg, up_deg] : k_faces)
+        for (const double cell : {5.0, 2.5}) {
+            const double down = std::tan(down_deg * M_PI / 180), up = std::tan(up_deg * M_PI / 180);
+            const double foot = k_top + k_fall / down, length = foot + 1.6 * k_fall / up;
+            const GridSpec grid = bench::plain_grid(std::llround(length / cell), 4, cell);
+            const Raster bed = bench::sample_raster(
+                grid, [&](Point p) { return p.x < foot ? (foot - p.x) * down : (p.x - foot) * up; });
+            const ParticleSet seeds = bench::fill_lattice(
+                grid, 1, 0, [&](Point p) { return bench::Seed{p.x > k_top && p.x < k_top + 20 ? 1.0 : 0.0}; });
+            FiniteVolumeFlow flow = flow_on(bed, seeds, water(), volumes(Boundary::wall));
+            const auto middle = [&] {
+                double volume = 0, height = 0;
+                flow.for_each_active_node([&](std::size_t k) {
+                    volume += flow.state().depth[k];
+                    height += flow.state().depth[k] * flow.nodes().bed[k];
+                });
+                return height / volume;
+            };
+            const double start = middle();
+            double lowest = start, highest = 0;
+            const double time = std::sqrt(2 * k_fall / k_gravity) *
+                                (1 / std::sin(down_deg * M_PI / 180) + 1 / std::sin(up_deg * M_PI / 180));
+            while (flow.time() < 1.1 * time) {
+                flow.step(1);
+                lowest = std::min(lowest, middle());
+                if (lowest < 0.5 * start) highest = std::max(highest, middle());
+            }
+            EXPECT_GT(highest, 0.93 * start) << down_deg << '/' << up_deg << ", " << cell;
+            EXPECT_LT(highest, 1.03 * start) << down_deg << '/' << up_deg << ", " << cell;
+        }
+}
+
+// Water of 4 m over a cliff. With the mean slope of both sides the cell at its lip would dam it, the more the finer the
+// cells: to 13 m on 1.25 m under a cliff of 5 m, so that the flow stops.
+TEST(FiniteVolumes, TheLipOfACliffNeitherDamsNorAccelerates) {
+    for (const double cell : {10.0, 5.0, 2.5, 1.25})
+        for (const double cliff : {5.0, 50.0, 150.0}) {
+            constexpr double k_edge = 400, k_depth = 4;
+            const GridSpec grid = bench::plain_grid(std::llround(500 / cell), 4, cell);
+            const Raster bed = bench::sample_raster(grid, [&](Point p) {
+                return p.x < k_edge ? cliff + std::tan(M_PI / 18) * (k_edge - p.x)
+                                    : std::tan(M_PI / 36) * (k_edge - p.x);
+            });
+            const ParticleSet seeds = bench::fill_lattice(
+                grid, 1, 0, [&](Point p) { return bench::Seed{p.x > 20 && p.x < 380 ? k_depth : 0.0}; });
+            FiniteVolumeFlow flow = flow_on(bed, seeds, water(), volumes(Boundary::open));
+            flow.advance_to(10);
+            const auto lip = std::llround(k_edge / cell) - 1;
+            const auto at = [&](std::int64_t column) { return flow.nodes().index(column, 2); };
+            const double before = flow.motion_of(at(lip - 1)).speed, there = flow.motion_of(at(lip)).speed,
+                         below = flow.motion_of(at(lip + 2)).speed;
+            EXPECT_GT(there, before / 1.2) << cliff << ", " << cell;
+            EXPECT_LT(there, before * 1.2) << cliff << ", " << cell;
+            EXPECT_LT(flow.state().depth[at(lip)], 1.2 * k_depth) << cliff << ", " << cell;
+            // The fall, and what the head of the water's depth adds to it.
+            EXPECT_GT(below * below, 0.97 * (before * before + 2 * k_gravity * cliff)) << cliff << ", " << cell;
+            EXPECT_LT(below * below, before * before + 2 * k_gravity * (cliff + 2 * k_depth)) << cliff << ", " << cell;
+        }
 }
 
 // What friction holds does not change by a bit, and costs nothing.
@@ -255,16 +333,12 @@ Thrown thrown(double cliff, double roughness) {
     return {cells.state().jumps.volume / volume, particles.flights().statistics().volume / volume};
 }
 
-// Where a half of the flow or more leaves the ground it differs afterwards, and what stays lies deep before the edge.
 TEST(FiniteVolumes, TellOfAboutAsMuchAsACliffThrowsOfParticles) {
-    for (const double cliff : {20.0, 40.0, 60.0}) {
+    for (const double cliff : {20.0, 40.0, 60.0, 100.0}) {
         const Thrown volume = thrown(cliff, 0);
         EXPECT_GT(volume.by_particles, 0.1) << cliff;
-        EXPECT_NEAR(volume.by_cells, volume.by_particles, 0.25 * volume.by_particles) << cliff;
+        EXPECT_NEAR(volume.by_cells, volume.by_particles, 0.2 * volume.by_particles) << cliff;
     }
-    // The cell of an edge has the mean slope of both sides, here of 85 degrees, which holds the flow back.
-    const Thrown high = thrown(100, 0);
-    EXPECT_NEAR(high.by_cells, high.by_particles, 0.45 * high.by_particles);
 }
 
 TEST(FiniteVolumes, TellOfNothingOnSlopesThatThrowNothing) {
