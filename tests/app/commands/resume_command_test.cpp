@@ -124,7 +124,7 @@ TEST_F(Stopped, BySignalsItKeepsItsStateAndIsResumed) {
         }
         const std::string summary = read_text(path(result + "/summary.json"));
         EXPECT_EQ(json_text(summary, "stop_reason"), "requested");
-        EXPECT_TRUE(json_lists(summary, "warnings", "the maps are incomplete")) << summary;
+        EXPECT_TRUE(json_lists(summary, "warnings", "when signal ends the run")) << summary;
         EXPECT_TRUE(fs::exists(path(result + "/max_depth.tif")));
         ASSERT_EQ(checkpoints(result).size(), 1U);
 

@@ -418,8 +418,8 @@ TEST(FiniteVolumes, FrictionWorksOnWhatPassesOnly) {
         return bench::Seed{std::hypot((p.x - 200) / 40, (p.y - 150) / 60) < 1 ? 1.0 : 0.0};
     });
     Material material = water();
-    material.friction_coefficient = 0.15;
-    material.turbulence = 1400;
+    material.of<CoulombFriction>().friction_coefficient = 0.15;
+    material.of<TurbulentFriction>().turbulence = 1400;
     FiniteVolumeFlow flow = flow_on(bed, seeds, material, volumes(Boundary::open));
     flow.set_moving_speed(0.1);
     EnergyWatch watch;

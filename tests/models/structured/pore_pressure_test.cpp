@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "models/structured/solid/pore_stage.h"
+#include "physics/friction_coulomb.h"
 #include "simulation/scene.h"
 #include "simulation/structured_flow.h"
 #include "solid_cases.h"
@@ -163,7 +164,7 @@ TEST(PorePressureOfSolids, LowersFrictionAsInTheFirstModel) {
 
     Material m = frana::test::dry_friction(20);
     m.density = k_rock;
-    m.pore_pressure_ratio = 0.4;
+    m.of<CoulombFriction>().pore_pressure_ratio = 0.4;
     const Raster bed = incline(15, 60, 24, 5);
     Flow flow(bed, bench::fill_lattice(bed.grid, 3, 0, k_pile), m, walled(), 1);
     const double start = flow.centroid().x;
