@@ -15,14 +15,22 @@ namespace {
 
 constexpr std::int64_t k_reach = 3;  // cells beside moving ones that a step may set free or reach
 
+// Reads the bed with what lies on it.
+void read_bed(State& s, const Laws& laws, const NodeRange& range) {
+    const NodeGrid& nodes = s.nodes;
+    range.for_each(nodes.stride(), [&](std::size_t k, std::int64_t i, std::int64_t j) {
+        const bool wall =
+            nodes.is_wall(k) || (laws.gap_is_wall && nodes.is_gap(k)) || (laws.wall && nodes.is_ghost(i, j));
+        s.bed[k] = nodes.bed[k] + (wall ? k_wall_height : 0) + (s.lying != nullptr ? s.lying[k] : 0);
+    });
+}
+
 // Reads what follows from the ground.
 void read_ground(State& s, const Laws& laws, const NodeRange& range) {
     const NodeGrid& nodes = s.nodes;
     nodes.cover({range.i0 - 1, range.i1 + 1, range.j0 - 1, range.j1 + 1});
+    read_bed(s, laws, range);
     range.for_each(nodes.stride(), [&](std::size_t k, std::int64_t i, std::int64_t j) {
-        const bool wall =
-            nodes.is_wall(k) || (laws.gap_is_wall && nodes.is_gap(k)) || (laws.wall && nodes.is_ghost(i, j));
-        s.bed[k] = nodes.bed[k] + (wall ? k_wall_height : 0);
         const Point slope = laws.along_bed ? node_slope(nodes, k, i, j) : Point{};
         s.slope_x[k] = slope.x;
         s.slope_y[k] = slope.y;
@@ -35,19 +43,25 @@ void read_ground(State& s, const Laws& laws, const NodeRange& range) {
     });
 }
 
-// Reads it where the sweeps over these cells need it.
-void require_ground(State& s, const Laws& laws, const Region& r) {
-    const auto from = [](std::int64_t k) { return std::max<std::int64_t>(k - k_reach, 0); };
-    const std::int64_t last_i = std::min(r.i1 + k_reach, s.nodes.stride()) - 1,
-                       last_j = std::min(r.j1 + k_reach, s.nodes.padded_rows()) - 1;
+// Calls visit for the tiles within `reach` cells of a region.
+template <class Visit>
+void for_tiles_round(const State& s, const Region& r, std::int64_t reach, const Visit& visit) {
+    const auto from = [&](std::int64_t k) { return std::max<std::int64_t>(k - reach, 0); };
+    const std::int64_t last_i = std::min(r.i1 + reach, s.nodes.stride()) - 1,
+                       last_j = std::min(r.j1 + reach, s.nodes.padded_rows()) - 1;
     const std::int64_t first = s.tile_of(from(r.i0), from(r.j0)), last = s.tile_of(last_i, last_j),
                        across = s.tiles.tiles_x();
     for (std::int64_t b = first / across; b <= last / across; ++b)
-        for (std::int64_t a = first % across; a <= last % across; ++a) {
-            std::uint8_t& ready = s.ready[static_cast<std::size_t>(b * across + a)];
-            if (ready == 0) read_ground(s, laws, NodeRange(b * across + a, s.tiles, s.nodes));
-            ready = 1;
-        }
+        for (std::int64_t a = first % across; a <= last % across; ++a) visit(b * across + a);
+}
+
+// Reads it where the sweeps over these cells need it.
+void require_ground(State& s, const Laws& laws, const Region& r) {
+    for_tiles_round(s, r, k_reach, [&](std::int64_t tile) {
+        std::uint8_t& ready = s.ready[static_cast<std::size_t>(tile)];
+        if (ready == 0) read_ground(s, laws, NodeRange(tile, s.tiles, s.nodes));
+        ready = 1;
+    });
 }
 
 bool may_rest(const Laws& laws) {
@@ -125,13 +139,19 @@ std::vector<Region> regions_within(std::int64_t reach, const State& s) {
     return regions;
 }
 
-void choose_strips(State& s, const Laws& laws) {
+void choose_strips(State& s, const Laws& laws, ThreadPool& pool) {
     const std::vector<Region> regions = regions_within(k_reach, s);
     if (s.strips.size() < regions.size()) s.strips.resize(regions.size());
     s.n_strips = regions.size();
     for (std::size_t n = 0; n < regions.size(); ++n) s.strips[n].region = regions[n];
     s.prepared = regions_within(k_reach + 1, s);
     for (const Region& region : s.prepared) require_ground(s, laws, region);
+    if (s.lying == nullptr) return;
+    std::vector<std::int64_t> tiles;  // all that the sweeps read
+    for (const Region& r : s.prepared)
+        for_tiles_round(s, r, 1, [&](std::int64_t tile) { tiles.push_back(tile); });
+    make_ascending(tiles);
+    pool.for_each(tiles.size(), [&](std::size_t n) { read_bed(s, laws, NodeRange(tiles[n], s.tiles, s.nodes)); });
 }
 
 double greatest(const double* lanes) {
@@ -172,8 +192,7 @@ StepReport account(State& s, const Laws& laws, ThreadPool& pool) {
                 report.no_data += s.depth[k] > 0 && s.nodes.is_gap(k) ? 1 : 0;
             });
     computed.insert(computed.end(), s.wet.begin(), s.wet.end());
-    std::sort(computed.begin(), computed.end());
-    computed.erase(std::unique(computed.begin(), computed.end()), computed.end());
+    make_ascending(computed);
     std::erase_if(computed, [&](std::int64_t tile) { return s.records[static_cast<std::size_t>(tile)].wet == 0; });
     s.wet = std::move(computed);
     return report;
@@ -181,14 +200,9 @@ StepReport account(State& s, const Laws& laws, ThreadPool& pool) {
 
 }  // namespace
 
-State::State(NodeGrid grid)
-    : nodes(std::move(grid)),
-      tiles{nodes.columns(),
-            nodes.rows(),
-            k_ghost,
-            nodes.cell_size(),
-            nodes.scale().origin_x - k_ghost,
-            nodes.scale().origin_y - k_ghost},
+State::State(NodeGrid& grid)
+    : nodes(grid),
+      tiles(tiles_on(grid)),
       edges(nodes.size()) {
     for (ZeroArray<double>* array :
          {&depth,        &qx,           &qy,           &bed,    &slope_x,  &slope_y,  &root,
@@ -200,13 +214,17 @@ State::State(NodeGrid grid)
     ready = ZeroArray<std::uint8_t>(count);
 }
 
-Cells State::cells(Maxima& maxima) {
+Cells State::cells(Maxima* maxima) {
+    // Without maxima those go where a step no longer reads.
+    ZeroArray<double>&max_depth = maxima != nullptr ? maxima->depth : pull_x,
+    &max_speed = maxima != nullptr ? maxima->speed : pull_y,
+    &arrival = maxima != nullptr ? maxima->arrival_plus_1 : bound;
     return {depth.data(),        qx.data(),           qy.data(),           bed.data(),
             slope_x.data(),      slope_y.data(),      root.data(),         curvature_xx.data(),
             curvature_xy.data(), curvature_yy.data(), weight.data(),       slowed_x.data(),
             slowed_y.data(),     pull_x.data(),       pull_y.data(),       bound.data(),
             spare.data(),        held.data(),         head.data(),         start.data(),
-            before.data(),       maxima.depth.data(), maxima.speed.data(), maxima.arrival_plus_1.data(),
+            before.data(),       max_depth.data(), max_speed.data(), arrival.data(),
             nodes.stride()};
 }
 
@@ -217,9 +235,9 @@ double stable_step(const State& s, const Laws& laws) {
     return dt;
 }
 
-StepReport step(State& s, const Laws& laws, double limit, Maxima& maxima, ThreadPool& pool) {
+StepReport step(State& s, const Laws& laws, double limit, Maxima* maxima, ThreadPool& pool) {
     StepValues values = laws.values;
-    choose_strips(s, laws);
+    choose_strips(s, laws, pool);
     Sweeps sweeps(s, laws, values, maxima, pool);
     sweeps.strain();
     values.dt = std::min(limit, stable_step(s, laws));
@@ -248,7 +266,7 @@ StepReport step(State& s, const Laws& laws, double limit, Maxima& maxima, Thread
     return report;
 }
 
-void add_to_cell(State& s, const Laws& laws, std::int64_t i, std::int64_t j, double depth, Point velocity,
+std::int64_t add_to_cell(State& s, const Laws& laws, std::int64_t i, std::int64_t j, double depth, Point velocity,
                  const PorePressure::State& pores) {
     require_ground(s, laws, {i, i + 1, j, j + 1});
     const auto k = static_cast<std::size_t>(j * s.nodes.stride() + i);
@@ -257,14 +275,15 @@ void add_to_cell(State& s, const Laws& laws, std::int64_t i, std::int64_t j, dou
     s.depth[k] += depth;
     s.qx[k] += depth * w.x;
     s.qy[k] += depth * w.y;
-    s.wet.push_back(s.tile_of(i, j));
+    return s.tile_of(i, j);
 }
 
-void settle(State& s, const Laws& laws) {
-    std::sort(s.wet.begin(), s.wet.end());
-    s.wet.erase(std::unique(s.wet.begin(), s.wet.end()), s.wet.end());
+void settle(State& s, const Laws& laws, std::vector<std::int64_t> tiles) {
+    make_ascending(tiles);
+    s.wet.insert(s.wet.end(), tiles.begin(), tiles.end());
+    make_ascending(s.wet);
     const double dry = laws.values.dry;
-    for (const std::int64_t tile : s.wet) {
+    for (const std::int64_t tile : tiles) {
         NodeRange(tile, s.tiles, s.nodes).for_each(s.nodes.stride(), [&](std::size_t k, std::int64_t, std::int64_t) {
             s.held[k] = 0;
             if (!(s.depth[k] > dry)) return;
