@@ -142,13 +142,13 @@ TEST(Run, WhatLeavesIsToldWhereItCounts) {
     result.volume_entered = 1000;
     result.hard_events.non_finite = 1;
     // They stand on maps, which others get without the files.
-    for (const Sentence& words : sentences_of(run_warnings(result, scene)))
-        EXPECT_EQ(words.text().find("hard_events"), std::string::npos) << words.text();
+    for (const std::string& text : texts_of(run_warnings(result, scene)))
+        EXPECT_EQ(text.find("hard_events"), std::string::npos) << text;
     for (const auto& [left, told] : {std::pair{0.5, false}, {2.0, true}}) {
         result.volume_left = left;
         bool found = false;
-        for (const Sentence& words : sentences_of(run_warnings(result, scene)))
-            found |= words.text().find("left the computed ground") != std::string::npos;
+        for (const std::string& text : texts_of(run_warnings(result, scene)))
+            found |= text.find("left the computed ground") != std::string::npos;
         EXPECT_EQ(found, told) << left;
     }
 }
