@@ -91,9 +91,9 @@ void FiniteVolumeFlow::add_particles(const ParticleSet& particles) {
         }
         PorePressure::State pores = laws_.friction.pore_pressure.initial;
         if (particles.mask().has(Field::pore_pressure)) pores.ratio = particles[Field::pore_pressure][p];
-        tiles.push_back(finite_volume::add_to_cell(
-            state_, laws_, whole_below(x[p] * scale.inverse_dx) + scale.origin_x,
-            whole_below(y[p] * scale.inverse_dx) + scale.origin_y, volume[p] / state_.cell_area(), {u[p], v[p]}, pores));
+        tiles.push_back(finite_volume::add_to_cell(state_, laws_, whole_below(x[p] * scale.inverse_dx) + scale.origin_x,
+                                                   whole_below(y[p] * scale.inverse_dx) + scale.origin_y,
+                                                   volume[p] / state_.cell_area(), {u[p], v[p]}, pores));
     }
     finite_volume::settle(state_, laws_, std::move(tiles));
 }

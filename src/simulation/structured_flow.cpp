@@ -143,8 +143,7 @@ void StructuredFlow::receive(const ParticleSet& particles, bool columns) {
 }
 
 void StructuredFlow::take(const std::vector<FluidSource>& sources) {
-    state_.fluid->now.volume_left +=
-        structured::receive(sources, *state_.fluid, laws_.fluid) * grid_.cell_area();
+    state_.fluid->now.volume_left += structured::receive(sources, *state_.fluid, laws_.fluid) * grid_.cell_area();
 }
 
 double StructuredFlow::density() const {
@@ -254,10 +253,11 @@ StepStatistics StructuredFlow::observe() {
         StepStatistics& f = statistics[t];
         NodeRange(tiles[t], tiles_, state_.grid)
             .for_each(state_.grid.stride(), [&](std::size_t cell, std::int64_t i, std::int64_t j) {
-                const double depth = inside(i, j) ? column(cell).depth : 0;
+                const double depth = inside(i, j) ? fluid_depth(cell) + coupled_depth(cell) : 0;
                 if (depth < numerics_.minimum_depth) f.thin_fraction += depth * area;
                 if (!(depth >= laws_.fluid.dry)) return;
-                const double fast = speed(cell), fluid_fast = fluid_speed(cell);
+                const double fluid_fast = fluid_speed(cell), solid_fast = solid_speed(cell);
+                const double fast = std::max(fluid_fast, solid_fast);
                 f.kinetic += 0.5 * fluid_fraction * fluid_depth(cell) * area * fluid_fast * fluid_fast;
                 if (fast > moving_speed_) f.moving += depth * area;
                 if (depth < numerics_.minimum_depth) return;
@@ -267,7 +267,7 @@ StepStatistics StructuredFlow::observe() {
                 const Point here = state_.grid.middle(i, j);
                 f.front_distance = std::max(f.front_distance, origins_.squared_distance(here));
                 maxima_.update<double>(cell, 1, true, depth, fast, state_.time);
-                pressure_[cell] = std::max(pressure_[cell], dynamic_pressure(cell));
+                pressure_[cell] = std::max(pressure_[cell], dynamic_pressure(cell, fluid_fast, solid_fast));
             });
     });
     StepStatistics sum;
@@ -342,8 +342,9 @@ StructuredFlow::Column StructuredFlow::column(std::size_t cell) const noexcept {
 
 double StructuredFlow::fluid_speed(std::size_t cell) const {
     const double h = fluid_depth(cell);
-    if (!(h >= laws_.fluid.dry)) return 0;
-    return std::hypot(state_.fluid->now.qx[cell], state_.fluid->now.qy[cell]) / h;
+    if (!(h > laws_.fluid.dry)) return 0;
+    const double qx = state_.fluid->now.qx[cell], qy = state_.fluid->now.qy[cell];
+    return std::sqrt(qx * qx + qy * qy) / h;
 }
 
 double StructuredFlow::solid_speed(std::size_t cell) const {
@@ -354,8 +355,7 @@ double StructuredFlow::solid_speed(std::size_t cell) const {
     return speed_along_bed(u, v, climb);
 }
 
-double StructuredFlow::dynamic_pressure(std::size_t cell) const {
-    const double fluid = fluid_speed(cell), solid = solid_speed(cell);
+double StructuredFlow::dynamic_pressure(std::size_t cell, double fluid, double solid) const {
     double most = material_.fluid_density * fluid * fluid;
     if (solid > 0) {
         const structured::SolidSums& sums = state_.solid->nodes.sums[cell];

@@ -110,9 +110,14 @@ class StructuredFlow final : public Model {
     [[nodiscard]] double fluid_depth(std::size_t cell) const noexcept {
         return state_.fluid ? state_.fluid->now.depth[cell] : 0;
     }
+    /// Of solids and their confined fluid [m].
+    [[nodiscard]] double coupled_depth(std::size_t cell) const noexcept {
+        return state_.solid ? state_.solid->nodes.depth[cell] : 0;
+    }
     [[nodiscard]] double fluid_speed(std::size_t cell) const;
     [[nodiscard]] double solid_speed(std::size_t cell) const;
-    [[nodiscard]] double dynamic_pressure(std::size_t cell) const;
+    /// @param fluid, solid their speeds along the bed [m/s]
+    [[nodiscard]] double dynamic_pressure(std::size_t cell, double fluid, double solid) const;
     void receive(const ParticleSet& particles, bool columns);
     void receive_lying();
     void take(const std::vector<structured::FluidSource>& sources);

@@ -47,7 +47,8 @@ struct Laws {
     bool curved = true;     ///< with the load of the bed's curvature
     bool wall = false;      ///< at the edges of the terrain
     bool gap_is_wall = false;
-    bool flies = true;  ///< what would leave the ground is told of
+    bool flies = true;         ///< what would leave the ground is told of
+    bool level_lips = false;   ///< slopes of the bed are limited: what is at the lip of a step has not turned down
     bool keeps_lakes = false;  ///< only what moves outwards leaves through open edges
     JumpRules jumps;
     voellmy_bingham::BedFriction friction;
@@ -122,9 +123,8 @@ void serialise(Archive& archive, TileRecord& record) {
 
 template <class Archive>
 void serialise(Archive& archive, State& s) {
-    archive(s.depth, s.qx, s.qy, s.carried[0], s.carried[1], s.held, s.weight, s.wet, s.records, s.time,
-            s.wave, s.diffusivity, s.volume_left, s.momentum, s.steps, s.erodible_beds, s.exchanged, s.jumps,
-            s.untested);
+    archive(s.depth, s.qx, s.qy, s.carried[0], s.carried[1], s.held, s.weight, s.wet, s.records, s.time, s.wave,
+            s.diffusivity, s.volume_left, s.momentum, s.steps, s.erodible_beds, s.exchanged, s.jumps, s.untested);
 }
 
 }  // namespace frana::finite_volume

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <variant>
 
@@ -25,13 +26,28 @@ void read_bed(State& s, const Laws& laws, const NodeRange& range) {
     });
 }
 
+// The slope of a cell by the monotonised mean of those on its two sides (van Leer 1977): 0 at the lip and at the foot
+// of a step, and elsewhere as node_slope.
+Point limited_slope(const NodeGrid& nodes, std::size_t k, std::int64_t i, std::int64_t j) {
+    const auto along = [&](bool inside, std::size_t step) {
+        if (!inside) return 0.0;
+        const double before = nodes.bed[k] - nodes.bed[k - step], after = nodes.bed[k + step] - nodes.bed[k];
+        const double least = std::min({2 * std::abs(before), 2 * std::abs(after), 0.5 * std::abs(before + after)});
+        return before * after > 0 ? std::copysign(least, after) / nodes.cell_size() : 0.0;
+    };
+    return {along(i > 0 && i < nodes.stride() - 1, 1),
+            along(j > 0 && j < nodes.padded_rows() - 1, static_cast<std::size_t>(nodes.stride()))};
+}
+
 // Reads what follows from the ground.
 void read_ground(State& s, const Laws& laws, const NodeRange& range) {
     const NodeGrid& nodes = s.nodes;
     nodes.cover({range.i0 - 1, range.i1 + 1, range.j0 - 1, range.j1 + 1});
     read_bed(s, laws, range);
     range.for_each(nodes.stride(), [&](std::size_t k, std::int64_t i, std::int64_t j) {
-        const Point slope = laws.along_bed ? node_slope(nodes, k, i, j) : Point{};
+        const Point slope = !laws.along_bed   ? Point{}
+                            : laws.level_lips ? limited_slope(nodes, k, i, j)
+                                              : node_slope(nodes, k, i, j);
         s.slope_x[k] = slope.x;
         s.slope_y[k] = slope.y;
         s.root[k] = std::sqrt(1 + slope.x * slope.x + slope.y * slope.y);
@@ -148,8 +164,7 @@ void choose_strips(State& s, const Laws& laws, ThreadPool& pool) {
     for (const Region& region : s.prepared) require_ground(s, laws, region);
     if (s.lying == nullptr) return;
     std::vector<std::int64_t> tiles;  // all that the sweeps read
-    for (const Region& r : s.prepared)
-        for_tiles_round(s, r, 1, [&](std::int64_t tile) { tiles.push_back(tile); });
+    for (const Region& r : s.prepared) for_tiles_round(s, r, 1, [&](std::int64_t tile) { tiles.push_back(tile); });
     make_ascending(tiles);
     pool.for_each(tiles.size(), [&](std::size_t n) { read_bed(s, laws, NodeRange(tiles[n], s.tiles, s.nodes)); });
 }
@@ -200,10 +215,7 @@ StepReport account(State& s, const Laws& laws, ThreadPool& pool) {
 
 }  // namespace
 
-State::State(NodeGrid& grid)
-    : nodes(grid),
-      tiles(tiles_on(grid)),
-      edges(nodes.size()) {
+State::State(NodeGrid& grid) : nodes(grid), tiles(tiles_on(grid)), edges(nodes.size()) {
     for (ZeroArray<double>* array :
          {&depth,        &qx,           &qy,           &bed,    &slope_x,  &slope_y,  &root,
           &curvature_xx, &curvature_xy, &curvature_yy, &weight, &slowed_x, &slowed_y, &pull_x,
@@ -219,13 +231,11 @@ Cells State::cells(Maxima* maxima) {
     ZeroArray<double>&max_depth = maxima != nullptr ? maxima->depth : pull_x,
     &max_speed = maxima != nullptr ? maxima->speed : pull_y,
     &arrival = maxima != nullptr ? maxima->arrival_plus_1 : bound;
-    return {depth.data(),        qx.data(),           qy.data(),           bed.data(),
-            slope_x.data(),      slope_y.data(),      root.data(),         curvature_xx.data(),
-            curvature_xy.data(), curvature_yy.data(), weight.data(),       slowed_x.data(),
-            slowed_y.data(),     pull_x.data(),       pull_y.data(),       bound.data(),
-            spare.data(),        held.data(),         head.data(),         start.data(),
-            before.data(),       max_depth.data(), max_speed.data(), arrival.data(),
-            nodes.stride()};
+    return {depth.data(),   qx.data(),        qy.data(),           bed.data(),          slope_x.data(),
+            slope_y.data(), root.data(),      curvature_xx.data(), curvature_xy.data(), curvature_yy.data(),
+            weight.data(),  slowed_x.data(),  slowed_y.data(),     pull_x.data(),       pull_y.data(),
+            bound.data(),   spare.data(),     held.data(),         head.data(),         start.data(),
+            before.data(),  max_depth.data(), max_speed.data(),    arrival.data(),      nodes.stride()};
 }
 
 double stable_step(const State& s, const Laws& laws) {
@@ -267,7 +277,7 @@ StepReport step(State& s, const Laws& laws, double limit, Maxima* maxima, Thread
 }
 
 std::int64_t add_to_cell(State& s, const Laws& laws, std::int64_t i, std::int64_t j, double depth, Point velocity,
-                 const PorePressure::State& pores) {
+                         const PorePressure::State& pores) {
     require_ground(s, laws, {i, i + 1, j, j + 1});
     const auto k = static_cast<std::size_t>(j * s.nodes.stride() + i);
     const Point w = BedFrame{s.slope_x[k], s.slope_y[k], s.root[k]}.along_bed(velocity.x, velocity.y);
@@ -288,8 +298,9 @@ void settle(State& s, const Laws& laws, std::vector<std::int64_t> tiles) {
             s.held[k] = 0;
             if (!(s.depth[k] > dry)) return;
             const CellMotion motion = motion_of(s, laws, k);
-            s.wave = std::max(s.wave, std::max(std::abs(motion.u), std::abs(motion.v)) +
-                                          std::sqrt(laws.values.wave_factor * laws.values.gravity * s.depth[k]));
+            const double wave = std::max(std::abs(motion.u), std::abs(motion.v)) +
+                                std::sqrt(laws.values.wave_factor * laws.values.gravity * s.depth[k]);
+            s.wave = std::max(s.wave, std::isnan(wave) ? std::numeric_limits<double>::infinity() : wave);
         });
         s.records[static_cast<std::size_t>(tile)] = survey(s, laws, tile);
     }

@@ -57,8 +57,8 @@ FaceRow moved(const FaceRow& row, std::ptrdiff_t by) {
             row.pressure_above + by, row.step_below + by, row.step_above + by};
 }
 
-// The cell n cells beyond an open edge that only what moves outwards passes: the flow goes on as it comes, with the fall
-// of its surface; of one that stays, the mirror image.
+// The cell n cells beyond an open edge that only what moves outwards passes: the flow goes on as it comes, with the
+// fall of its surface; of one that stays, the mirror image.
 // @param edge, inner the cell at the edge and the next, at e and i  @param out 1: the sweep leaves there; -1: it enters
 void continue_beyond(const CellRow& edge, std::size_t e, const CellRow& inner, std::size_t i, int n, double out,
                      const CellRow& beyond, std::size_t b) {
@@ -66,8 +66,8 @@ void continue_beyond(const CellRow& edge, std::size_t e, const CellRow& inner, s
     const bool leaves = out * edge.speed[e] > k_leaving * std::sqrt(edge.weight[e] * edge.depth[e]);
     const CellRow& from = leaves || n == 1 ? edge : inner;
     const std::size_t q = leaves || n == 1 ? e : i;
-    for (double* CellRow::*same : {&CellRow::depth, &CellRow::tangential, &CellRow::weight, &CellRow::drive,
-                                   &CellRow::closed, &CellRow::spare})
+    for (double* CellRow::*same :
+         {&CellRow::depth, &CellRow::tangential, &CellRow::weight, &CellRow::drive, &CellRow::closed, &CellRow::spare})
         (beyond.*same)[b] = (from.*same)[q];
     beyond.speed[b] = (leaves ? 1 : -1) * from.speed[q];
     beyond.normal[b] = (leaves ? 1 : -1) * from.normal[q];
@@ -116,8 +116,7 @@ class Sweeps {
                                   v_.dry, work.rows[0]);
                 if (laws_.keeps_lakes && !laws_.wall) {
                     for (int n = 1; n <= 2; ++n) {
-                        if (strip.region.i0 == k_ghost)
-                            continue_beyond(row, 1, row, 2, n, -1, moved(row, -n), 1);
+                        if (strip.region.i0 == k_ghost) continue_beyond(row, 1, row, 2, n, -1, moved(row, -n), 1);
                         if (strip.region.i1 == s_.nodes.stride() - k_ghost)
                             continue_beyond(row, count, row, count - 1, n, 1, moved(row, n), count);
                     }

@@ -80,9 +80,8 @@ TEST_F(Languages, AMapOfFrictionNamesItsTableAndItsSource) {
             EXPECT_TRUE(has(map, text)) << map << ": " << text;
     for (const char* text : {"Reibungskoeffizient an der Sohle", "Reibungstabelle: RAMMS", "Quelle: SLF"})
         EXPECT_TRUE(has("result/maps/mu.svg", text)) << text;
-    for (const char* text :
-         {"Volumenklasse: &lt; 5.000 m³", "Flacher oder konvexer Hang", "gelesen unter github.com",
-          "RAMMS Avalanche, Voellmy-Reibung von Lawinen", "μ und ξ springen bei Höhen von 270 m"})
+    for (const char* text : {"Volumenklasse: &lt; 5.000 m³", "Flacher oder konvexer Hang", "gelesen unter github.com",
+                             "RAMMS Avalanche, Voellmy-Reibung von Lawinen", "μ und ξ springen bei Höhen von 270 m"})
         EXPECT_TRUE(has("result/report.html", text)) << text;
     write("own.ini", own_friction_table(0.2));
     run("", {"material.friction-table=own.ini", "material.return-period=30", "output.maps=mu"});

@@ -88,9 +88,7 @@ TEST_F(ModelKeys, SolidsReadPorePressure) {
                     "material.pore-dissipation-time"));
 }
 
-TEST_F(ModelKeys, StepsAndFormsNotAvailableForFluid) {
-    EXPECT_TRUE(
-        has_problem(problems(k_fluid, {"numerics.cfl=0.9"}), "numerics.cfl", "0.9", "greater than 0, at most 0.5"));
+TEST_F(ModelKeys, FormsNotAvailableForFluid) {
     EXPECT_TRUE(has_problem(problems(k_fluid, {"numerics.slope-correction=surface"}), "numerics.slope-correction",
                             "surface", "auto, none, normal"));
 }

@@ -28,9 +28,7 @@ Point surface_gradient(const NodeGrid& grid, const SolidNodes& nodes, const Flui
     const auto stride = static_cast<std::size_t>(grid.stride());
     const auto level = [&](std::size_t k) { return fluid.now.depth[k] + nodes.depth[k] + grid.bed[k]; };
     const double here = level(n), inverse = 0.5 / grid.cell_size();
-    const auto beside = [&](std::size_t k) {
-        return fluid.now.depth[k] > dry ? level(k) : here;
-    };
+    const auto beside = [&](std::size_t k) { return fluid.now.depth[k] > dry ? level(k) : here; };
     return {inverse * (beside(n + 1) - beside(n - 1)), inverse * (beside(n + stride) - beside(n - stride))};
 }
 

@@ -68,7 +68,7 @@ void resist(const NodeRange& range, const FluidLaws& laws, const SolidsOnGrid& s
             w = {w.x + gain.x, w.y + gain.y};
         }
         // Quadratic: Manning, along the bed. The speed V after the step solves V (1 + dt linear + dt a V) = V*.
-        const double speed = std::hypot(w.x, w.y), b = 1 + dt * linear, flat = 1 / frame.root;
+        const double speed = std::sqrt(w.x * w.x + w.y * w.y), b = 1 + dt * linear, flat = 1 / frame.root;
         const double own = manning_resistance(dt * laws.gravity, laws.manning, h * flat);
         double kept = 1 / implicit_divisor(speed, b, own);
         if (laws.manning_on_total && solid_depth > 0 && speed > 0) {

@@ -33,7 +33,7 @@ struct FluidSource {
 /// Parameters of the free fluid; constant during a run.
 struct FluidLaws {
     double gravity = k_standard_gravity;  ///< [m/s2]
-    double cfl = 0.9;                     ///< of a sweep
+    double cfl = k_courant_of_sweeps;     ///< of a sweep
     double dry = k_dry_depth;             ///< depth under which fluid does not move [m]
     bool steep = true;                    ///< gravity over 1 + |grad b|^2, resistance along the bed
     bool wall = false;                    ///< the edge of the grid; false: open
@@ -57,8 +57,8 @@ struct FluidState {
     /// @param nodes must outlive the state
     FluidState(NodeGrid& nodes, const FluidLaws& laws);
 
-    finite_volume::State now;         ///< depth h_u, and momentum along the bed; no cell of walls and gaps has any
-    double volume_into_gaps = 0;      ///< of what left, into cells without terrain [m3]
+    finite_volume::State now;            ///< depth h_u, and momentum along the bed; no cell of walls and gaps has any
+    double volume_into_gaps = 0;         ///< of what left, into cells without terrain [m3]
     ZeroArray<double> force_x, force_y;  ///< of the in-plane stress, over density [m2/s2]; empty without viscosity
 
     /// Change of the velocity in map view by stress and resistance in the last advance [m/s]; only in cells with

@@ -30,7 +30,7 @@ finite_volume::Laws sweeps_of(const FluidLaws& laws, const NodeGrid& nodes) {
     sweeps.wall = laws.wall;
     sweeps.gap_is_wall = !laws.gaps_are_open;
     sweeps.flies = false;
-    sweeps.keeps_lakes = true;
+    sweeps.level_lips = sweeps.keeps_lakes = true;
     return sweeps;
 }
 
@@ -73,8 +73,8 @@ double receive(std::span<const FluidSource> sources, FluidState& state, const Fl
         if (nodes.is_ghost(i, j) || nodes.is_gap(s.cell) || nodes.is_wall(s.cell)) {
             refused += s.depth;
         } else if (s.depth > 0) {
-            tiles.push_back(finite_volume::add_to_cell(state.now, sweeps, i, j, s.depth,
-                                                       {s.qx / s.depth, s.qy / s.depth}, {}));
+            tiles.push_back(
+                finite_volume::add_to_cell(state.now, sweeps, i, j, s.depth, {s.qx / s.depth, s.qy / s.depth}, {}));
         }
     }
     finite_volume::settle(state.now, sweeps, std::move(tiles));
@@ -84,6 +84,9 @@ double receive(std::span<const FluidSource> sources, FluidState& state, const Fl
 double stable_step(FluidState& state, const FluidLaws& laws, const SolidsOnGrid& solid, ThreadPool& pool) {
     finite_volume::State& now = state.now;
     if (now.wet.empty()) return std::numeric_limits<double>::infinity();
+    const finite_volume::Laws sweeps = sweeps_of(laws, now.nodes);
+    // Solids have pushed it since the sweeps took the speed of its waves.
+    if (!has_viscosity(laws) && solid.depth == nullptr) return finite_volume::stable_step(now, sweeps);
     std::vector<double> fastest(now.wet.size()), thickest(now.wet.size());
     const bool viscous = has_viscosity(laws);
     for_tiles(state, pool, [&](std::size_t t, const NodeRange& range) {
@@ -105,7 +108,7 @@ double stable_step(FluidState& state, const FluidLaws& laws, const SolidsOnGrid&
     now.wave = now.diffusivity = 0;
     for (const double f : fastest) now.wave = std::max(now.wave, f);
     for (const double v : thickest) now.diffusivity = std::max(now.diffusivity, 2.5 * v);
-    return finite_volume::stable_step(now, sweeps_of(laws, now.nodes));
+    return finite_volume::stable_step(now, sweeps);
 }
 
 FluidReport advance(FluidState& state, const FluidLaws& laws, const SolidsOnGrid& solid, double dt, ThreadPool& pool) {

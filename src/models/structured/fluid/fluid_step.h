@@ -19,8 +19,8 @@ double receive(std::span<const FluidSource> sources, FluidState& state, const Fl
 ///     dt <= cfl dx / max(|u| + c, |v| + c),  c = sqrt(k g h_u);   dt <= 0.1 dx^2 / nu
 double stable_step(FluidState& state, const FluidLaws& laws, const SolidsOnGrid& solid, ThreadPool& pool);
 
-/// Advances the fluid by dt [s] over the bed of its nodes and the solids in `solid`: pressure and terrain by the rows of
-/// models/finite_volume; Manning, viscous and enhanced stress; without drag, virtual mass and buoyancy
+/// Advances the fluid by dt [s] over the bed of its nodes and the solids in `solid`: pressure and terrain by the rows
+/// of models/finite_volume; Manning, viscous and enhanced stress; without drag, virtual mass and buoyancy
 /// (models/structured/coupling). A dt over stable_step is subdivided. The same bits for any number of threads.
 FluidReport advance(FluidState& state, const FluidLaws& laws, const SolidsOnGrid& solid, double dt, ThreadPool& pool);
 
