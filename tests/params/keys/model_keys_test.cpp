@@ -114,7 +114,7 @@ TEST(CourantNumber, IsSmallerWhereStepsAreOfFirstOrder) {
     };
     EXPECT_EQ(number([](SceneSpec&) {}), 0.8);
     EXPECT_EQ(number([](SceneSpec& scene) { scene.numerics.scheme = Scheme::paper; }), 0.5);
-    EXPECT_EQ(number([](SceneSpec& scene) { scene.material.model = "structured"; }), 0.5);
+    EXPECT_EQ(number([](SceneSpec& scene) { scene.material.model = "structured"; }), 0.9);
     EXPECT_EQ(number([](SceneSpec& scene) { scene.material.yield_stress = 100; }), 0.8);
     EXPECT_EQ(number([](SceneSpec& scene) { scene.numerics.cfl = 0.3; }), 0.3);
 }
