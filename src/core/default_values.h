@@ -17,6 +17,8 @@ constexpr double default_courant(bool second_order) {
     return second_order ? 0.8 : 0.5;
 }
 
+inline constexpr double k_courant_of_sweeps = 0.9;  ///< along x and y in turn: finite volumes, structured fluid
+
 /// Material of the structured model's solids, each property of which may vary from place to place; for the scene file's
 /// keys (params/keys/material_parameters.h) and the model alike.
 struct SolidValues {

@@ -14,10 +14,10 @@ namespace {
 
 constexpr double k_film = 0.01;  // of the minimum depth: depth that does not move
 
-finite_volume::State initial_state(const Ground& ground, const std::optional<Raster>& walls) {
+NodeGrid walled_nodes(const Ground& ground, const std::optional<Raster>& walls) {
     NodeGrid nodes(ground);
     if (walls) nodes.mark_walls(*walls);
-    return finite_volume::State(std::move(nodes));
+    return nodes;
 }
 
 finite_volume::Laws laws_of(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,
@@ -59,7 +59,8 @@ FiniteVolumeFlow::FiniteVolumeFlow(const Ground& ground, const std::optional<Ras
                                    std::optional<TiltedGravity> tilt)
     : grid_(ground.terrain.grid),
       pool_(threads),
-      state_(initial_state(ground, walls)),
+      nodes_(walled_nodes(ground, walls)),
+      state_(nodes_),
       laws_(laws_of(material, zones, entrainment, numerics, state_.nodes, tilt)),
       maxima_(state_.nodes.size()) {
     if (laws_.friction.summed) state_.bed_states = ZeroArray<BedState>(state_.nodes.size());
@@ -79,6 +80,7 @@ FiniteVolumeFlow::FiniteVolumeFlow(const Ground& ground, const std::optional<Ras
 
 void FiniteVolumeFlow::add_particles(const ParticleSet& particles) {
     if (particles.size() == 0) return;
+    std::vector<std::int64_t> tiles = state_.wet;
     const NodeScale scale = state_.nodes.scale();
     const double *const x = particles[Field::x], *const y = particles[Field::y], *const u = particles[Field::u],
                         *const v = particles[Field::v], *const volume = particles[Field::volume];
@@ -89,17 +91,17 @@ void FiniteVolumeFlow::add_particles(const ParticleSet& particles) {
         }
         PorePressure::State pores = laws_.friction.pore_pressure.initial;
         if (particles.mask().has(Field::pore_pressure)) pores.ratio = particles[Field::pore_pressure][p];
-        finite_volume::add_to_cell(state_, laws_, whole_below(x[p] * scale.inverse_dx) + scale.origin_x,
-                                   whole_below(y[p] * scale.inverse_dx) + scale.origin_y,
-                                   volume[p] / state_.cell_area(), {u[p], v[p]}, pores);
+        tiles.push_back(finite_volume::add_to_cell(state_, laws_, whole_below(x[p] * scale.inverse_dx) + scale.origin_x,
+                                                   whole_below(y[p] * scale.inverse_dx) + scale.origin_y,
+                                                   volume[p] / state_.cell_area(), {u[p], v[p]}, pores));
     }
-    finite_volume::settle(state_, laws_);
+    finite_volume::settle(state_, laws_, std::move(tiles));
 }
 
 void FiniteVolumeFlow::lower_bed(const Raster& depth) {
     state_.nodes.lower_bed(depth);
     finite_volume::renew_ground(state_, laws_);
-    finite_volume::settle(state_, laws_);
+    finite_volume::settle(state_, laws_, state_.wet);
 }
 
 // Adds half of the energies of the present state: those of a step are in its middle, as those of the particles.
@@ -126,7 +128,7 @@ StepStatistics FiniteVolumeFlow::step(double dt_limit) {
     StepStatistics f;
     f.energy = 0;
     add_half_of_energies(f);
-    const finite_volume::StepReport report = finite_volume::step(state_, laws_, dt_limit, maxima_, pool_);
+    const finite_volume::StepReport report = finite_volume::step(state_, laws_, dt_limit, &maxima_, pool_);
     add_half_of_energies(f);
     f.energy_dissipated = report.dissipated;
     f.dt = report.dt;

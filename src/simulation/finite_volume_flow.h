@@ -68,9 +68,9 @@ class FiniteVolumeFlow final : public Model {
     /// Steps until `time`.
     void advance_to(double time);
 
-    void transfer(StateWriter& archive) override { archive(state_, maxima_); }
+    void transfer(StateWriter& archive) override { archive(nodes_, state_, maxima_); }
     void transfer(StateReader& archive) override {
-        archive(state_, maxima_);
+        archive(nodes_, state_, maxima_);
         finite_volume::renew_ground(state_, laws_);
     }
 
@@ -80,6 +80,7 @@ class FiniteVolumeFlow final : public Model {
 
     GridSpec grid_;
     ThreadPool pool_;
+    NodeGrid nodes_;
     finite_volume::State state_;
     finite_volume::Laws laws_;
     Maxima maxima_;

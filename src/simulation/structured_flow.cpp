@@ -59,7 +59,7 @@ StructuredFlow::StructuredFlow(const Ground& ground, const std::optional<Raster>
       pool_(threads),
       laws_(structured_laws(material, numerics, grid_, thickest(released))),
       state_(initial_state(walled(ground, walls), laws_, material, grid_, released)),
-      tiles_(structured::tiles_on(state_.grid)),
+      tiles_(tiles_on(state_.grid)),
       maxima_(state_.grid.bed.size()),
       pressure_(state_.grid.bed.size()) {
     receive(released, true);
@@ -70,7 +70,7 @@ StructuredFlow::StructuredFlow(const Ground& ground, const std::optional<Raster>
 
 void StructuredFlow::lower_bed(const Raster& depth) {
     state_.grid.lower_bed(depth);
-    if (state_.fluid) structured::set_ground(*state_.fluid, state_.grid, laws_.fluid);
+    if (state_.fluid) structured::set_ground(*state_.fluid, laws_.fluid);
 }
 
 void StructuredFlow::add(const Arrivals::Arrived& arrived) {
@@ -132,7 +132,7 @@ void StructuredFlow::receive(const ParticleSet& particles, bool columns) {
         entered_.free += fraction * volume;
         if (!state_.fluid || !(fraction > 0)) continue;
         if (!state_.grid.bounds().contains(place.x, place.y)) {
-            state_.fluid->volume_left += fraction * volume;
+            state_.fluid->now.volume_left += fraction * volume;
             continue;
         }
         const double depth = fraction * volume * inverse_area;
@@ -143,8 +143,7 @@ void StructuredFlow::receive(const ParticleSet& particles, bool columns) {
 }
 
 void StructuredFlow::take(const std::vector<FluidSource>& sources) {
-    state_.fluid->volume_left +=
-        structured::receive(sources, *state_.fluid, state_.grid, laws_.fluid) * grid_.cell_area();
+    state_.fluid->now.volume_left += structured::receive(sources, *state_.fluid, laws_.fluid) * grid_.cell_area();
 }
 
 double StructuredFlow::density() const {
@@ -177,7 +176,7 @@ StepStatistics StructuredFlow::step(double dt_limit) {
 }
 
 double StructuredFlow::volume() const {
-    double sum = state_.fluid ? structured::fluid_volume(*state_.fluid, state_.grid, pool_) : 0;
+    double sum = state_.fluid ? structured::fluid_volume(*state_.fluid) : 0;
     if (!state_.solid) return sum;
     const ParticleSet& particles = state_.solid->particles;
     const double *solids = particles[Field::volume], *confined = particles[Field::confined];
@@ -186,7 +185,7 @@ double StructuredFlow::volume() const {
 }
 
 double StructuredFlow::volume_left() const noexcept {
-    const double fluid = state_.fluid ? state_.fluid->volume_left : 0;
+    const double fluid = state_.fluid ? state_.fluid->now.volume_left : 0;
     const double solid = state_.solid ? state_.solid->left.solids + state_.solid->left.confined : 0;
     return fluid + solid + state_.released_outside;
 }
@@ -206,15 +205,15 @@ std::optional<PhaseBudget> StructuredFlow::phase_budget() const {
     }
     if (budget.inside.solids > 0) budget.cohesion_left /= budget.inside.solids;
     if (!state_.fluid) return budget;
-    budget.inside.free = structured::fluid_volume(*state_.fluid, state_.grid, pool_);
-    budget.left.free += state_.fluid->volume_left;
+    budget.inside.free = structured::fluid_volume(*state_.fluid);
+    budget.left.free += state_.fluid->now.volume_left;
     double weight = 0, sum = 0;
     for_each_active_node([&](std::size_t cell) {
         const double h = fluid_depth(cell), least = numerics_.minimum_depth;
         const structured::SolidNodes& nodes = state_.solid->nodes;
         if (!(h >= least && nodes.depth[cell] >= least)) return;
-        const double du = state_.fluid->now.qx[cell] / h - nodes.u[cell];
-        const double dv = state_.fluid->now.qy[cell] / h - nodes.v[cell];
+        const Point fluid = state_.fluid->velocity(cell);
+        const double du = fluid.x - nodes.u[cell], dv = fluid.y - nodes.v[cell];
         weight += h;
         sum += h * (du * du + dv * dv);
     });
@@ -231,10 +230,10 @@ std::size_t StructuredFlow::bytes_per_particle() const noexcept {
 }
 
 std::size_t StructuredFlow::bytes_per_node() const noexcept {
-    constexpr std::size_t k_fluid_values = 9;                  // present, stage and next of depth and two discharges
+    constexpr std::size_t k_fluid_values = 21;                 // of finite_volume::State
     constexpr std::size_t k_solid_values = 7;                  // fields of the solids that act on the fluid
     std::size_t bytes = 2 * sizeof(double) + Maxima::k_bytes;  // bed and pressure, and the maxima
-    if (state_.fluid) bytes += k_fluid_values * sizeof(double) + 1 + (laws_.fluid.steep ? sizeof(double) : 0);
+    if (state_.fluid) bytes += k_fluid_values * sizeof(double);
     if (state_.solid)
         bytes += sizeof(structured::SolidSums) + sizeof(structured::NodePush) + k_solid_values * sizeof(double) +
                  (state_.fluid ? sizeof(structured::CouplingSums) + 2 * sizeof(double) : 0);
@@ -254,10 +253,11 @@ StepStatistics StructuredFlow::observe() {
         StepStatistics& f = statistics[t];
         NodeRange(tiles[t], tiles_, state_.grid)
             .for_each(state_.grid.stride(), [&](std::size_t cell, std::int64_t i, std::int64_t j) {
-                const double depth = inside(i, j) ? column(cell).depth : 0;
+                const double depth = inside(i, j) ? fluid_depth(cell) + coupled_depth(cell) : 0;
                 if (depth < numerics_.minimum_depth) f.thin_fraction += depth * area;
                 if (!(depth >= laws_.fluid.dry)) return;
-                const double fast = speed(cell), fluid_fast = fluid_speed(cell);
+                const double fluid_fast = fluid_speed(cell), solid_fast = solid_speed(cell);
+                const double fast = std::max(fluid_fast, solid_fast);
                 f.kinetic += 0.5 * fluid_fraction * fluid_depth(cell) * area * fluid_fast * fluid_fast;
                 if (fast > moving_speed_) f.moving += depth * area;
                 if (depth < numerics_.minimum_depth) return;
@@ -267,7 +267,7 @@ StepStatistics StructuredFlow::observe() {
                 const Point here = state_.grid.middle(i, j);
                 f.front_distance = std::max(f.front_distance, origins_.squared_distance(here));
                 maxima_.update<double>(cell, 1, true, depth, fast, state_.time);
-                pressure_[cell] = std::max(pressure_[cell], dynamic_pressure(cell));
+                pressure_[cell] = std::max(pressure_[cell], dynamic_pressure(cell, fluid_fast, solid_fast));
             });
     });
     StepStatistics sum;
@@ -289,11 +289,11 @@ StepStatistics StructuredFlow::observe() {
 // Tiles in which something may move: those of the fluid and of the solids.
 std::vector<std::int64_t> StructuredFlow::shown_tiles() const {
     std::vector<std::int64_t> shown;
-    if (state_.fluid) shown = state_.fluid->tiles;
+    if (state_.fluid) shown = state_.fluid->now.wet;
     if (state_.solid) {
         const std::vector<std::int64_t>& solid = state_.solid->nodes.tiles;
         shown.insert(shown.end(), solid.begin(), solid.end());
-        structured::make_ascending(shown);
+        make_ascending(shown);
     }
     return shown;
 }
@@ -326,9 +326,10 @@ Raster mean_by_cell(const ParticleSet& particles, const GridSpec& grid, const Va
 StructuredFlow::Column StructuredFlow::column(std::size_t cell) const noexcept {
     Column c;
     if (state_.fluid) {
-        c.depth = state_.fluid->now.depth[cell];
-        c.qx = state_.fluid->now.qx[cell];
-        c.qy = state_.fluid->now.qy[cell];
+        c.depth = fluid_depth(cell);
+        const Point u = c.depth > 0 ? state_.fluid->velocity(cell) : Point{};
+        c.qx = c.depth * u.x;
+        c.qy = c.depth * u.y;
     }
     if (state_.solid) {
         const structured::SolidNodes& nodes = state_.solid->nodes;
@@ -339,27 +340,22 @@ StructuredFlow::Column StructuredFlow::column(std::size_t cell) const noexcept {
     return c;
 }
 
-double StructuredFlow::along_bed(std::size_t cell, double u, double v) const noexcept {
-    double climb = 0;
-    if (laws_.fluid.steep) {
-        climb = climb_at(state_.grid.bed.data() + cell, state_.grid.stride(), 0.5 / grid_.cell_size, u, v);
-    }
-    return speed_along_bed(u, v, climb);
-}
-
 double StructuredFlow::fluid_speed(std::size_t cell) const {
     const double h = fluid_depth(cell);
-    if (!(h >= laws_.fluid.dry)) return 0;
-    return along_bed(cell, state_.fluid->now.qx[cell] / h, state_.fluid->now.qy[cell] / h);
+    if (!(h > laws_.fluid.dry)) return 0;
+    const double qx = state_.fluid->now.qx[cell], qy = state_.fluid->now.qy[cell];
+    return std::sqrt(qx * qx + qy * qy) / h;
 }
 
 double StructuredFlow::solid_speed(std::size_t cell) const {
     if (!state_.solid || !(state_.solid->nodes.depth[cell] >= laws_.fluid.dry)) return 0;
-    return along_bed(cell, state_.solid->nodes.u[cell], state_.solid->nodes.v[cell]);
+    const double u = state_.solid->nodes.u[cell], v = state_.solid->nodes.v[cell];
+    const double* const bed = state_.grid.bed.data() + cell;
+    const double climb = laws_.fluid.steep ? climb_at(bed, state_.grid.stride(), 0.5 / grid_.cell_size, u, v) : 0;
+    return speed_along_bed(u, v, climb);
 }
 
-double StructuredFlow::dynamic_pressure(std::size_t cell) const {
-    const double fluid = fluid_speed(cell), solid = solid_speed(cell);
+double StructuredFlow::dynamic_pressure(std::size_t cell, double fluid, double solid) const {
     double most = material_.fluid_density * fluid * fluid;
     if (solid > 0) {
         const structured::SolidSums& sums = state_.solid->nodes.sums[cell];
@@ -410,8 +406,7 @@ void StructuredFlow::states(std::span<const std::size_t> cells, NodeState* state
 // was too fast to be computed further: returns its fastest cell.
 std::optional<Point> StructuredFlow::cell_with(RunProblem::Kind kind) const {
     if (!state_.fluid) return std::nullopt;
-    const structured::FluidState& fluid = *state_.fluid;
-    const structured::FluidFields& now = fluid.now;
+    const finite_volume::State& now = state_.fluid->now;
     const auto stride = static_cast<std::size_t>(state_.grid.stride());
     std::optional<std::size_t> found;
     double greatest = 0;
@@ -419,7 +414,7 @@ std::optional<Point> StructuredFlow::cell_with(RunProblem::Kind kind) const {
         if (kind == RunProblem::Kind::no_data) {
             if (found || !(now.depth[cell] > 0)) return;
             for (const std::size_t near : {cell - 1, cell + 1, cell - stride, cell + stride})
-                if (fluid.cell_kind[near] == structured::k_gap_cell) found = cell;
+                if (state_.grid.is_gap(near)) found = cell;
             return;
         }
         const bool finite = std::isfinite(now.depth[cell] + now.qx[cell] + now.qy[cell]);

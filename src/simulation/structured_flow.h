@@ -98,7 +98,7 @@ class StructuredFlow final : public Model {
                                 moving_speed, released_mass, released_volume, entered, steps, particle_steps] = *this;
         archive(state, maxima, pressure, released_mass, released_volume, entered, steps, particle_steps);
         if constexpr (Archive::k_reads) {
-            if (state.fluid) structured::set_ground(*state.fluid, state.grid, laws.fluid);
+            if (state.fluid) structured::set_ground(*state.fluid, laws.fluid);
         }
     }
 
@@ -107,13 +107,17 @@ class StructuredFlow final : public Model {
     [[nodiscard]] bool inside(std::int64_t i, std::int64_t j) const noexcept {
         return i >= k_ghost && j >= k_ghost && i < state_.grid.columns() + k_ghost && j < state_.grid.rows() + k_ghost;
     }
-    [[nodiscard]] double along_bed(std::size_t cell, double u, double v) const noexcept;
     [[nodiscard]] double fluid_depth(std::size_t cell) const noexcept {
         return state_.fluid ? state_.fluid->now.depth[cell] : 0;
     }
+    /// Of solids and their confined fluid [m].
+    [[nodiscard]] double coupled_depth(std::size_t cell) const noexcept {
+        return state_.solid ? state_.solid->nodes.depth[cell] : 0;
+    }
     [[nodiscard]] double fluid_speed(std::size_t cell) const;
     [[nodiscard]] double solid_speed(std::size_t cell) const;
-    [[nodiscard]] double dynamic_pressure(std::size_t cell) const;
+    /// @param fluid, solid their speeds along the bed [m/s]
+    [[nodiscard]] double dynamic_pressure(std::size_t cell, double fluid, double solid) const;
     void receive(const ParticleSet& particles, bool columns);
     void receive_lying();
     void take(const std::vector<structured::FluidSource>& sources);

@@ -13,7 +13,7 @@ namespace {
 structured::FluidLaws fluid_laws(const StructuredMaterial& m, const Numerics& numerics) {
     structured::FluidLaws laws;
     laws.gravity = numerics.gravity;
-    laws.cfl = numerics.cfl.value_or(default_courant(false));
+    laws.cfl = numerics.cfl.value_or(k_courant_of_sweeps);
     laws.dry = m.dry_depth;
     laws.steep = slope_correction(numerics) != SlopeCorrection::none;
     laws.wall = numerics.boundary == Boundary::wall;

@@ -228,7 +228,6 @@ INSTANTIATE_TEST_SUITE_P(
                 {"material.model=voellmy-bingham", "material.friction-angle=20"},
                 {"structured.manning", "material.model = voellmy-bingham does not use it"}},
         Refused{"a_preset", {"material.preset=mudflow"}, {"material.preset", "does not use it"}},
-        Refused{"long_steps", {"numerics.cfl=0.9"}, {"numerics.cfl", "0.9", "at most 0.5"}},
         Refused{"surface_form", {"numerics.slope-correction=surface"}, {"numerics.slope-correction"}},
         Refused{"negative_manning", {"structured.manning=-0.1"}, {"structured.manning", "-0.1", "0 to 1"}}),
     [](const auto& tested) { return tested.param.name; });

@@ -294,7 +294,7 @@ def test_dialogue():
         assert any(text.startswith(seen) for text in labels), labels
         assert not any("optional" in text or "needed" in text for text in labels), labels
         inside = [label.text() for label in boxes["Numerical method"].findChildren(QLabel)]
-        assert "Courant number (0.8, 0.5 for scheme paper and for material.model = structured)" in inside or \
+        assert "Courant number (0.8; 0.5 for scheme paper; 0.9 for finite-volume and material.model = structured)" in inside or \
             "Courant number" in inside, inside
         dialogue.deleteLater()
 

@@ -55,12 +55,12 @@ FluidRun::FluidRun(const Raster& bed, double dry_depth, const std::function<Exac
             if (s.depth > 0) sources.push_back({nodes_.index(i, j), s.depth, s.qx, s.qy});
         }
     }
-    structured::receive(sources, state_, nodes_, laws_);
+    structured::receive(sources, state_, laws_);
 }
 
 void FluidRun::advance(double time) {
     const auto begin = std::chrono::steady_clock::now();
-    const structured::FluidReport report = structured::advance(state_, nodes_, laws_, {}, time, pool_);
+    const structured::FluidReport report = structured::advance(state_, laws_, {}, time, pool_);
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     steps_ += report.steps;
     non_finite_ += report.non_finite;

@@ -67,7 +67,7 @@ std::vector<SpeedRow> measure_solids(double particles, int threads, int steps) {
         const ZeroArray<double>& depth = state.solid->nodes.depth;
         row.same_bits =
             !first || std::memcmp(first->solid->nodes.depth.data(), depth.data(), depth.size() * sizeof(double)) == 0;
-        if (!first) first = std::move(state);
+        if (!first) first.emplace(std::move(state));
         rows.push_back(row);
     }
     return rows;

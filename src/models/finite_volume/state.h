@@ -10,6 +10,7 @@
 #include "models/voellmy_bingham/state.h"
 #include "mpm/flight.h"
 #include "mpm/node_grid.h"
+#include "mpm/tile_lists.h"
 #include "particles/tile_order.h"
 
 namespace frana::finite_volume {
@@ -46,7 +47,9 @@ struct Laws {
     bool curved = true;     ///< with the load of the bed's curvature
     bool wall = false;      ///< at the edges of the terrain
     bool gap_is_wall = false;
-    bool flies = true;  ///< what would leave the ground is told of
+    bool flies = true;         ///< what would leave the ground is told of
+    bool level_lips = false;   ///< slopes of the bed are limited: what is at the lip of a step has not turned down
+    bool keeps_lakes = false;  ///< only what moves outwards leaves through open edges
     JumpRules jumps;
     voellmy_bingham::BedFriction friction;
     voellmy_bingham::PlaneStressLaw stress;
@@ -58,9 +61,10 @@ struct Laws {
 
 /// The cells and where the flow is.
 struct State {
-    explicit State(NodeGrid grid);
+    /// @param grid must outlive the state
+    explicit State(NodeGrid& grid);
 
-    NodeGrid nodes;
+    NodeGrid& nodes;
     TileGrid tiles;
     ZeroArray<double> depth, qx, qy;  ///< padded as the nodes are: Cells
     ZeroArray<double> carried[2];     ///< h r and h m of PorePressure [m]; empty: the scene lacks them
@@ -77,6 +81,8 @@ struct State {
     JumpStatistics jumps;  ///< that find_jumps found
     double untested = 0;   ///< time since it looked [s]
 
+    const double* lying = nullptr;  ///< depth of what lies on the bed under the flow, padded [m]; null: nothing
+
     // What follows from the ground, read where the flow arrives, and what lives within a step.
     ZeroArray<double> bed, slope_x, slope_y, root, curvature_xx, curvature_xy, curvature_yy;
     ZeroArray<double> weight, slowed_x, slowed_y, pull_x, pull_y, bound, spare, held, head, start, before;
@@ -88,7 +94,8 @@ struct State {
     std::size_t n_strips = 0;
     std::vector<Region> prepared;  ///< the same with one more cell on every side
 
-    [[nodiscard]] Cells cells(Maxima& maxima);
+    /// @param maxima null: not wanted
+    [[nodiscard]] Cells cells(Maxima* maxima);
     /// Of a cell with material.
     [[nodiscard]] PorePressure::State pores(std::size_t k) const noexcept {
         const auto of = [&](const ZeroArray<double>& content) {
@@ -116,9 +123,8 @@ void serialise(Archive& archive, TileRecord& record) {
 
 template <class Archive>
 void serialise(Archive& archive, State& s) {
-    archive(s.nodes, s.depth, s.qx, s.qy, s.carried[0], s.carried[1], s.held, s.weight, s.wet, s.records, s.time,
-            s.wave, s.diffusivity, s.volume_left, s.momentum, s.steps, s.erodible_beds, s.exchanged, s.jumps,
-            s.untested);
+    archive(s.depth, s.qx, s.qy, s.carried[0], s.carried[1], s.held, s.weight, s.wet, s.records, s.time, s.wave,
+            s.diffusivity, s.volume_left, s.momentum, s.steps, s.erodible_beds, s.exchanged, s.jumps, s.untested);
 }
 
 }  // namespace frana::finite_volume

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <variant>
 
@@ -31,21 +32,44 @@ Corner corner_between(double before, double after, double cell_size) {
     return {flatter + std::clamp(mean - flatter, -most, most), turn};
 }
 
+// Reads the bed with what lies on it.
+void read_bed(State& s, const Laws& laws, const NodeRange& range) {
+    const NodeGrid& nodes = s.nodes;
+    range.for_each(nodes.stride(), [&](std::size_t k, std::int64_t i, std::int64_t j) {
+        const bool wall =
+            nodes.is_wall(k) || (laws.gap_is_wall && nodes.is_gap(k)) || (laws.wall && nodes.is_ghost(i, j));
+        s.bed[k] = nodes.bed[k] + (wall ? k_wall_height : 0) + (s.lying != nullptr ? s.lying[k] : 0);
+    });
+}
+
+// The slope of a cell by the monotonised mean of those on its two sides (van Leer 1977): 0 at the lip and at the foot
+// of a step, and elsewhere as node_slope.
+Point limited_slope(const NodeGrid& nodes, std::size_t k, std::int64_t i, std::int64_t j) {
+    const auto along = [&](bool inside, std::size_t step) {
+        if (!inside) return 0.0;
+        const double before = nodes.bed[k] - nodes.bed[k - step], after = nodes.bed[k + step] - nodes.bed[k];
+        const double least = std::min({2 * std::abs(before), 2 * std::abs(after), 0.5 * std::abs(before + after)});
+        return before * after > 0 ? std::copysign(least, after) / nodes.cell_size() : 0.0;
+    };
+    return {along(i > 0 && i < nodes.stride() - 1, 1),
+            along(j > 0 && j < nodes.padded_rows() - 1, static_cast<std::size_t>(nodes.stride()))};
+}
+
 // Reads what follows from the ground.
 void read_ground(State& s, const Laws& laws, const NodeRange& range) {
     const NodeGrid& nodes = s.nodes;
     nodes.cover({range.i0 - 1, range.i1 + 1, range.j0 - 1, range.j1 + 1});
+    read_bed(s, laws, range);
     range.for_each(nodes.stride(), [&](std::size_t k, std::int64_t i, std::int64_t j) {
-        const bool wall =
-            nodes.is_wall(k) || (laws.gap_is_wall && nodes.is_gap(k)) || (laws.wall && nodes.is_ghost(i, j));
-        s.bed[k] = nodes.bed[k] + (wall ? k_wall_height : 0);
         const auto corner = [&](bool inside, std::int64_t next) {
             const double* const z = nodes.bed.data() + k;
             return inside ? corner_between(z[0] - z[-next], z[next] - z[0], nodes.cell_size()) : Corner{0, 1};
         };
         const Corner x = corner(i > 0 && i < nodes.stride() - 1, 1),
                      y = corner(j > 0 && j < nodes.padded_rows() - 1, nodes.stride());
-        const Point slope = laws.along_bed ? Point{x.slope, y.slope} : Point{};
+        const Point slope = !laws.along_bed   ? Point{}
+                            : laws.level_lips ? limited_slope(nodes, k, i, j)
+                                              : Point{x.slope, y.slope};
         s.slope_x[k] = slope.x;
         s.slope_y[k] = slope.y;
         const double n = 1 + slope.x * slope.x + slope.y * slope.y;
@@ -59,19 +83,25 @@ void read_ground(State& s, const Laws& laws, const NodeRange& range) {
     });
 }
 
-// Reads it where the sweeps over these cells need it.
-void require_ground(State& s, const Laws& laws, const Region& r) {
-    const auto from = [](std::int64_t k) { return std::max<std::int64_t>(k - k_reach, 0); };
-    const std::int64_t last_i = std::min(r.i1 + k_reach, s.nodes.stride()) - 1,
-                       last_j = std::min(r.j1 + k_reach, s.nodes.padded_rows()) - 1;
+// Calls visit for the tiles within `reach` cells of a region.
+template <class Visit>
+void for_tiles_round(const State& s, const Region& r, std::int64_t reach, const Visit& visit) {
+    const auto from = [&](std::int64_t k) { return std::max<std::int64_t>(k - reach, 0); };
+    const std::int64_t last_i = std::min(r.i1 + reach, s.nodes.stride()) - 1,
+                       last_j = std::min(r.j1 + reach, s.nodes.padded_rows()) - 1;
     const std::int64_t first = s.tile_of(from(r.i0), from(r.j0)), last = s.tile_of(last_i, last_j),
                        across = s.tiles.tiles_x();
     for (std::int64_t b = first / across; b <= last / across; ++b)
-        for (std::int64_t a = first % across; a <= last % across; ++a) {
-            std::uint8_t& ready = s.ready[static_cast<std::size_t>(b * across + a)];
-            if (ready == 0) read_ground(s, laws, NodeRange(b * across + a, s.tiles, s.nodes));
-            ready = 1;
-        }
+        for (std::int64_t a = first % across; a <= last % across; ++a) visit(b * across + a);
+}
+
+// Reads it where the sweeps over these cells need it.
+void require_ground(State& s, const Laws& laws, const Region& r) {
+    for_tiles_round(s, r, k_reach, [&](std::int64_t tile) {
+        std::uint8_t& ready = s.ready[static_cast<std::size_t>(tile)];
+        if (ready == 0) read_ground(s, laws, NodeRange(tile, s.tiles, s.nodes));
+        ready = 1;
+    });
 }
 
 bool may_rest(const Laws& laws) {
@@ -149,13 +179,18 @@ std::vector<Region> regions_within(std::int64_t reach, const State& s) {
     return regions;
 }
 
-void choose_strips(State& s, const Laws& laws) {
+void choose_strips(State& s, const Laws& laws, ThreadPool& pool) {
     const std::vector<Region> regions = regions_within(k_reach, s);
     if (s.strips.size() < regions.size()) s.strips.resize(regions.size());
     s.n_strips = regions.size();
     for (std::size_t n = 0; n < regions.size(); ++n) s.strips[n].region = regions[n];
     s.prepared = regions_within(k_reach + 1, s);
     for (const Region& region : s.prepared) require_ground(s, laws, region);
+    if (s.lying == nullptr) return;
+    std::vector<std::int64_t> tiles;  // all that the sweeps read
+    for (const Region& r : s.prepared) for_tiles_round(s, r, 1, [&](std::int64_t tile) { tiles.push_back(tile); });
+    make_ascending(tiles);
+    pool.for_each(tiles.size(), [&](std::size_t n) { read_bed(s, laws, NodeRange(tiles[n], s.tiles, s.nodes)); });
 }
 
 double greatest(const double* lanes) {
@@ -196,8 +231,7 @@ StepReport account(State& s, const Laws& laws, ThreadPool& pool) {
                 report.no_data += s.depth[k] > 0 && s.nodes.is_gap(k) ? 1 : 0;
             });
     computed.insert(computed.end(), s.wet.begin(), s.wet.end());
-    std::sort(computed.begin(), computed.end());
-    computed.erase(std::unique(computed.begin(), computed.end()), computed.end());
+    make_ascending(computed);
     std::erase_if(computed, [&](std::int64_t tile) { return s.records[static_cast<std::size_t>(tile)].wet == 0; });
     s.wet = std::move(computed);
     return report;
@@ -205,15 +239,7 @@ StepReport account(State& s, const Laws& laws, ThreadPool& pool) {
 
 }  // namespace
 
-State::State(NodeGrid grid)
-    : nodes(std::move(grid)),
-      tiles{nodes.columns(),
-            nodes.rows(),
-            k_ghost,
-            nodes.cell_size(),
-            nodes.scale().origin_x - k_ghost,
-            nodes.scale().origin_y - k_ghost},
-      edges(nodes.size()) {
+State::State(NodeGrid& grid) : nodes(grid), tiles(tiles_on(grid)), edges(nodes.size()) {
     for (ZeroArray<double>* array :
          {&depth,        &qx,           &qy,           &bed,    &slope_x,  &slope_y,  &root,
           &curvature_xx, &curvature_xy, &curvature_yy, &weight, &slowed_x, &slowed_y, &pull_x,
@@ -224,14 +250,16 @@ State::State(NodeGrid grid)
     ready = ZeroArray<std::uint8_t>(count);
 }
 
-Cells State::cells(Maxima& maxima) {
-    return {depth.data(),        qx.data(),           qy.data(),           bed.data(),
-            slope_x.data(),      slope_y.data(),      root.data(),         curvature_xx.data(),
-            curvature_xy.data(), curvature_yy.data(), weight.data(),       slowed_x.data(),
-            slowed_y.data(),     pull_x.data(),       pull_y.data(),       bound.data(),
-            spare.data(),        held.data(),         head.data(),         start.data(),
-            before.data(),       maxima.depth.data(), maxima.speed.data(), maxima.arrival_plus_1.data(),
-            nodes.stride()};
+Cells State::cells(Maxima* maxima) {
+    // Without maxima those go where a step no longer reads.
+    ZeroArray<double>&max_depth = maxima != nullptr ? maxima->depth : pull_x,
+    &max_speed = maxima != nullptr ? maxima->speed : pull_y,
+    &arrival = maxima != nullptr ? maxima->arrival_plus_1 : bound;
+    return {depth.data(),   qx.data(),        qy.data(),           bed.data(),          slope_x.data(),
+            slope_y.data(), root.data(),      curvature_xx.data(), curvature_xy.data(), curvature_yy.data(),
+            weight.data(),  slowed_x.data(),  slowed_y.data(),     pull_x.data(),       pull_y.data(),
+            bound.data(),   spare.data(),     held.data(),         head.data(),         start.data(),
+            before.data(),  max_depth.data(), max_speed.data(),    arrival.data(),      nodes.stride()};
 }
 
 double stable_step(const State& s, const Laws& laws) {
@@ -241,9 +269,9 @@ double stable_step(const State& s, const Laws& laws) {
     return dt;
 }
 
-StepReport step(State& s, const Laws& laws, double limit, Maxima& maxima, ThreadPool& pool) {
+StepReport step(State& s, const Laws& laws, double limit, Maxima* maxima, ThreadPool& pool) {
     StepValues values = laws.values;
-    choose_strips(s, laws);
+    choose_strips(s, laws, pool);
     Sweeps sweeps(s, laws, values, maxima, pool);
     sweeps.strain();
     values.dt = std::min(limit, stable_step(s, laws));
@@ -272,8 +300,8 @@ StepReport step(State& s, const Laws& laws, double limit, Maxima& maxima, Thread
     return report;
 }
 
-void add_to_cell(State& s, const Laws& laws, std::int64_t i, std::int64_t j, double depth, Point velocity,
-                 const PorePressure::State& pores) {
+std::int64_t add_to_cell(State& s, const Laws& laws, std::int64_t i, std::int64_t j, double depth, Point velocity,
+                         const PorePressure::State& pores) {
     require_ground(s, laws, {i, i + 1, j, j + 1});
     const auto k = static_cast<std::size_t>(j * s.nodes.stride() + i);
     const Point w = BedFrame{s.slope_x[k], s.slope_y[k], s.root[k]}.along_bed(velocity.x, velocity.y);
@@ -281,20 +309,22 @@ void add_to_cell(State& s, const Laws& laws, std::int64_t i, std::int64_t j, dou
     s.depth[k] += depth;
     s.qx[k] += depth * w.x;
     s.qy[k] += depth * w.y;
-    s.wet.push_back(s.tile_of(i, j));
+    return s.tile_of(i, j);
 }
 
-void settle(State& s, const Laws& laws) {
-    std::sort(s.wet.begin(), s.wet.end());
-    s.wet.erase(std::unique(s.wet.begin(), s.wet.end()), s.wet.end());
+void settle(State& s, const Laws& laws, std::vector<std::int64_t> tiles) {
+    make_ascending(tiles);
+    s.wet.insert(s.wet.end(), tiles.begin(), tiles.end());
+    make_ascending(s.wet);
     const double dry = laws.values.dry;
-    for (const std::int64_t tile : s.wet) {
+    for (const std::int64_t tile : tiles) {
         NodeRange(tile, s.tiles, s.nodes).for_each(s.nodes.stride(), [&](std::size_t k, std::int64_t, std::int64_t) {
             s.held[k] = 0;
             if (!(s.depth[k] > dry)) return;
             const CellMotion motion = motion_of(s, laws, k);
-            s.wave = std::max(s.wave, std::max(std::abs(motion.u), std::abs(motion.v)) +
-                                          std::sqrt(laws.values.wave_factor * laws.values.gravity * s.depth[k]));
+            const double wave = std::max(std::abs(motion.u), std::abs(motion.v)) +
+                                std::sqrt(laws.values.wave_factor * laws.values.gravity * s.depth[k]);
+            s.wave = std::max(s.wave, std::isnan(wave) ? std::numeric_limits<double>::infinity() : wave);
         });
         s.records[static_cast<std::size_t>(tile)] = survey(s, laws, tile);
     }

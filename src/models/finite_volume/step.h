@@ -18,16 +18,18 @@ struct StepReport {
 /// volumes"): MUSCL-Hancock with HLL, along x and y in turn, well balanced; friction half before, in the predictor, and
 /// as a whole after the sweeps. Only tiles in which something moves, and those around them, are computed. Results do
 /// not depend on the number of threads.
-StepReport step(State& state, const Laws& laws, double limit, Maxima& maxima, ThreadPool& pool);
+/// @param maxima null: not wanted
+StepReport step(State& state, const Laws& laws, double limit, Maxima* maxima, ThreadPool& pool);
 
 /// The longest step that the present state allows [s].
 double stable_step(const State& state, const Laws& laws);
 
-/// Adds depth [m] with a velocity in map view [m/s] to a cell, by its padded numbers; `settle` must follow.
-void add_to_cell(State& state, const Laws& laws, std::int64_t i, std::int64_t j, double depth, Point velocity,
-                 const PorePressure::State& pores);
-/// After material was added or the ground was changed: everything is surveyed and computed again.
-void settle(State& state, const Laws& laws);
+/// Adds depth [m] with a velocity in map view [m/s] to a cell, by its padded numbers; `settle` of its tile, which is
+/// returned, must follow.
+std::int64_t add_to_cell(State& state, const Laws& laws, std::int64_t i, std::int64_t j, double depth, Point velocity,
+                         const PorePressure::State& pores);
+/// After material was added or the ground was changed: these tiles are surveyed and computed again.
+void settle(State& state, const Laws& laws, std::vector<std::int64_t> tiles);
 /// The bed has changed, or a saved state was read: what follows from the ground is read again under the flow.
 void renew_ground(State& state, const Laws& laws);
 

@@ -57,9 +57,27 @@ FaceRow moved(const FaceRow& row, std::ptrdiff_t by) {
             row.pressure_above + by, row.step_below + by, row.step_above + by};
 }
 
+// The cell n cells beyond an open edge that only what moves outwards passes: the flow goes on as it comes, with the
+// fall of its surface; of one that stays, the mirror image.
+// @param edge, inner the cell at the edge and the next, at e and i  @param out 1: the sweep leaves there; -1: it enters
+void continue_beyond(const CellRow& edge, std::size_t e, const CellRow& inner, std::size_t i, int n, double out,
+                     const CellRow& beyond, std::size_t b) {
+    constexpr double k_leaving = 1e-9;  // of the speed of waves: rounding must not drain a lake
+    const bool leaves = out * edge.speed[e] > k_leaving * std::sqrt(edge.weight[e] * edge.depth[e]);
+    const CellRow& from = leaves || n == 1 ? edge : inner;
+    const std::size_t q = leaves || n == 1 ? e : i;
+    for (double* CellRow::*same :
+         {&CellRow::depth, &CellRow::tangential, &CellRow::weight, &CellRow::drive, &CellRow::closed, &CellRow::spare})
+        (beyond.*same)[b] = (from.*same)[q];
+    beyond.speed[b] = (leaves ? 1 : -1) * from.speed[q];
+    beyond.normal[b] = (leaves ? 1 : -1) * from.normal[q];
+    const double fall = inner.depth[i] + inner.bed[i] - (edge.depth[e] + edge.bed[e]);
+    beyond.bed[b] = from.bed[q] - (leaves && inner.depth[i] > 0 ? n * std::max(fall, 0.0) : 0);
+}
+
 class Sweeps {
   public:
-    Sweeps(State& state, const Laws& laws, const StepValues& values, Maxima& maxima, ThreadPool& pool)
+    Sweeps(State& state, const Laws& laws, const StepValues& values, Maxima* maxima, ThreadPool& pool)
         : s_(state), laws_(laws), v_(values), c_(state.cells(maxima)), pool_(pool) {}
 
     void prepare() {
@@ -96,6 +114,13 @@ class Sweeps {
                 const std::size_t first = index(strip.region.i0, j), before = first - 2;
                 kernels_.read_row(c_, before, count + 4, c_.depth + before, c_.qx + before, c_.qy + before, false,
                                   v_.dry, work.rows[0]);
+                if (laws_.keeps_lakes && !laws_.wall) {
+                    for (int n = 1; n <= 2; ++n) {
+                        if (strip.region.i0 == k_ghost) continue_beyond(row, 1, row, 2, n, -1, moved(row, -n), 1);
+                        if (strip.region.i1 == s_.nodes.stride() - k_ghost)
+                            continue_beyond(row, count, row, count - 1, n, 1, moved(row, n), count);
+                    }
+                }
                 kernels_.faces(moved(row, -1), row, moved(row, 1), moved(row, 2), count + 1, v_, work.faces[0]);
                 const double rate = v_.dt / v_.cell_size;
                 for (int n = 0; n < carried(); ++n) {
@@ -384,13 +409,22 @@ class Sweeps {
                 carry(work.faces[to].mass, count, content(j - 1, 0), content(j - 1, 3 + n), content(j, 0),
                       content(j, 3 + n), work.carried[to][n]);
         };
+        // The row beyond an open edge that is n rows from it.
+        const auto continue_row = [&](std::int64_t edge, int out, int n) {
+            if (!laws_.keeps_lakes || laws_.wall) return;
+            for (std::size_t q = 0; q < count; ++q)
+                continue_beyond(row(edge), q, row(edge - out), q, n, out, row(edge + n * out), q);
+        };
         for (std::int64_t j = strip.region.j0 - 2; j < strip.region.j0 + 2; ++j) read(j, row(j));
+        for (int n = 1; strip.region.j0 == k_ghost && n <= 2; ++n) continue_row(k_ghost, -1, n);
         int now = 0;
         faces(strip.region.j0, now);
         const double rate = v_.dt / v_.cell_size;
         if (strip.region.j0 == k_ghost) strip.left -= rate * sum(work.faces[now].mass, count);
         for (std::int64_t j = strip.region.j0; j < strip.region.j1; ++j) {
             read(j + 2, row(j + 2));
+            const std::int64_t end = s_.nodes.padded_rows() - k_ghost;
+            if (j + 2 >= end) continue_row(end - 1, 1, static_cast<int>(j + 3 - end));
             faces(j + 1, 1 - now);
             for (int n = 0; n < carried(); ++n)
                 change(work.carried[now][n], work.carried[1 - now][n], count, rate,

@@ -28,9 +28,10 @@ struct Laws {
 
 /// Solids, free fluid, or both, over one terrain.
 struct State {
-    State(NodeGrid terrain, const Laws& laws, ParticleSet solids, const SolidStages& stages, bool with_fluid);
+    State(NodeGrid ground, const Laws& laws, ParticleSet solids, const SolidStages& stages, bool with_fluid);
 
-    NodeGrid grid;
+    std::unique_ptr<NodeGrid> terrain;  ///< stays in its place when the state is moved
+    NodeGrid& grid = *terrain;
     SolidStages stages;
     std::unique_ptr<SolidState> solid;  ///< null in a scene without solids
     std::unique_ptr<FluidState> fluid;  ///< null in a scene that has no fluid and cannot release any
@@ -42,7 +43,7 @@ struct State {
 
 template <class Archive>
 void serialise(Archive& archive, State& state) {
-    [[maybe_unused]] auto& [grid, stages, solid, fluid, time, deepest, released, released_outside] = state;
+    [[maybe_unused]] auto& [terrain, grid, stages, solid, fluid, time, deepest, released, released_outside] = state;
     archive(grid, solid, fluid, time, deepest, released, released_outside);
     if constexpr (Archive::k_reads)
         archive.require((!solid || has_own_tiles(solid->nodes)) && (!fluid || has_own_tiles(*fluid)));

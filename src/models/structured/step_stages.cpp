@@ -82,8 +82,8 @@ void keep_for_next_step(State& state, const Laws& laws, const StepReport& report
 
 }  // namespace
 
-State::State(NodeGrid terrain, const Laws& laws, ParticleSet solids, const SolidStages& chosen, bool with_fluid)
-    : grid(std::move(terrain)), stages(chosen) {
+State::State(NodeGrid ground, const Laws& laws, ParticleSet solids, const SolidStages& chosen, bool with_fluid)
+    : terrain(std::make_unique<NodeGrid>(std::move(ground))), stages(chosen) {
     if (with_fluid) fluid = std::make_unique<FluidState>(grid, laws.fluid);
     if (stages.update_material == nullptr) return;
     if (fluid) {
@@ -128,7 +128,7 @@ void prepare(State& state, const Laws& laws, ThreadPool& pool) {
 
 double stable_step(const State& state, const Laws& laws, ThreadPool& pool) {
     double dt = std::numeric_limits<double>::infinity();
-    if (state.fluid) dt = stable_step(*state.fluid, state.grid, laws.fluid, solids_on_grid(state), pool);
+    if (state.fluid) dt = stable_step(*state.fluid, laws.fluid, solids_on_grid(state), pool);
     if (state.solid && state.solid->particles.size() > 0) {
         const double wave = std::sqrt(state.solid->last.speed2) + std::sqrt(laws.solid.gravity * state.deepest);
         dt = std::min(dt, laws.move_cfl * state.grid.cell_size() / wave);
@@ -143,8 +143,7 @@ void choose_length(Step& now, double dt_limit) {
 void move_fluid(Step& now) {
     State& state = now.state;
     if (!state.fluid) return;
-    now.report.fluid =
-        advance(*state.fluid, state.grid, now.laws.fluid, solids_on_grid(state), now.report.dt, now.pool);
+    now.report.fluid = advance(*state.fluid, now.laws.fluid, solids_on_grid(state), now.report.dt, now.pool);
 }
 
 void push_on_nodes(Step& now) {

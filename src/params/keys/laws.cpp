@@ -59,10 +59,6 @@ void check_structured(const SceneSpec& scene, const std::set<std::string>& given
         problems.add({"is missing", Place(file, "structured.phases"), "", "fluid, solids-and-fluid",
                       "State the content of the release"});
     }
-    if (const double cfl = courant_number(scene.numerics, scene.material); cfl > 0.5) {
-        problems.add({"is too large for material.model = structured", Place(file, "numerics.cfl"), shortest_text(cfl),
-                      "greater than 0, at most 0.5", "Choose at most 0.5"});
-    }
     if (scene.numerics.slope_correction == SlopeCorrection::surface) {
         problems.add({"is not available for material.model = structured", Place(file, "numerics.slope-correction"),
                       "surface", "auto, none, normal", "Choose normal or none"});

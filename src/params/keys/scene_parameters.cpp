@@ -299,8 +299,9 @@ void add_numerics(std::vector<Parameter>& list) {
     list.push_back(particles_per_cell_parameter());
     list.push_back(number("numerics.cfl", FRANA_MEMBER(numerics.cfl), "", Range{0, 1, true},
                           "Courant number: fraction of the largest stable time step.",
-                          shortest_text(default_courant(true)) + ", " + shortest_text(default_courant(false)) +
-                              " for scheme paper and for material.model = structured"));
+                          shortest_text(default_courant(true)) + "; " + shortest_text(default_courant(false)) +
+                              " for scheme paper; " + shortest_text(k_courant_of_sweeps) +
+                              " for finite-volume and material.model = structured"));
     list.push_back(on_off("numerics.well-balanced", FRANA_MEMBER(numerics.well_balanced),
                           "Keep still water at rest by a reference level per node (default scheme).",
                           "on for scheme default, off for paper"));

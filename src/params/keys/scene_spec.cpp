@@ -52,10 +52,8 @@ bool flight(const Numerics& numerics) {
 }
 
 double courant_number(const Numerics& numerics, const Material& material) {
-    constexpr double k_of_sweeps = 0.9;  // along x and y in turn
-    if (numerics.scheme == Scheme::finite_volume && material.model != "structured")
-        return numerics.cfl.value_or(k_of_sweeps);
-    return numerics.cfl.value_or(default_courant(numerics.scheme != Scheme::paper && material.model != "structured"));
+    const bool sweeps = numerics.scheme == Scheme::finite_volume || material.model == "structured";
+    return numerics.cfl.value_or(sweeps ? k_courant_of_sweeps : default_courant(numerics.scheme != Scheme::paper));
 }
 
 double frame_interval(const SceneSpec& scene) {

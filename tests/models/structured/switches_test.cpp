@@ -24,7 +24,10 @@ struct Sheet {
         state = std::make_unique<State>(c.start(flat(20, 20, 2), pool, true));
         c.laws.coupling.drag.fluid.gravity = 9.81;
         middle = state->grid.index(10, 10);
-        for (std::size_t n = 0; n < state->fluid->now.depth.size(); ++n) state->fluid->now.depth[n] = 2;
+        std::vector<FluidSource> water;
+        for (std::int64_t j = 0; j < 20; ++j)
+            for (std::int64_t i = 0; i < 20; ++i) water.push_back({state->grid.index(i, j), 2});
+        receive(water, *state->fluid, c.laws.fluid);
     }
     // Acceleration of the solids by the fluid over a step.
     double push(double dt) {
@@ -63,7 +66,7 @@ TEST(VirtualMassLaw, ActsOnTheSolids) {
         sheet.c.laws.coupling.virtual_mass.acts = c > 0;
         sheet.start();
         constexpr double dt = 0.1;
-        for (std::size_t n = 0; n < sheet.state->fluid->now.qx.size(); ++n) sheet.state->fluid->resistance_x[n] = dt;
+        for (std::size_t n = 0; n < sheet.state->grid.size(); ++n) sheet.state->fluid->resistance_x[n] = dt;
         const double m_v = 1000 * c;
         EXPECT_NEAR(sheet.push(dt), m_v / (1 + m_v * (1 / 2400.0 + 1 / 2000.0)) / 2400, 1e-9);
     }

@@ -89,9 +89,7 @@ TEST_F(ModelKeys, SolidsReadPorePressure) {
                     "material.pore-dissipation-time"));
 }
 
-TEST_F(ModelKeys, StepsAndFormsNotAvailableForFluid) {
-    EXPECT_TRUE(
-        has_problem(problems(k_fluid, {"numerics.cfl=0.9"}), "numerics.cfl", "0.9", "greater than 0, at most 0.5"));
+TEST_F(ModelKeys, FormsNotAvailableForFluid) {
     EXPECT_TRUE(has_problem(problems(k_fluid, {"numerics.slope-correction=surface"}), "numerics.slope-correction",
                             "surface", "auto, none, normal"));
 }
@@ -117,7 +115,7 @@ TEST(CourantNumber, IsSmallerWhereStepsAreOfFirstOrder) {
     };
     EXPECT_EQ(number([](SceneSpec&) {}), 0.8);
     EXPECT_EQ(number([](SceneSpec& scene) { scene.numerics.scheme = Scheme::paper; }), 0.5);
-    EXPECT_EQ(number([](SceneSpec& scene) { scene.material.model = "structured"; }), 0.5);
+    EXPECT_EQ(number([](SceneSpec& scene) { scene.material.model = "structured"; }), 0.9);
     EXPECT_EQ(number([](SceneSpec& scene) { scene.material.of<BinghamStress>().yield_stress = 100; }), 0.8);
     EXPECT_EQ(number([](SceneSpec& scene) { scene.numerics.cfl = 0.3; }), 0.3);
 }

@@ -28,9 +28,7 @@ Point surface_gradient(const NodeGrid& grid, const SolidNodes& nodes, const Flui
     const auto stride = static_cast<std::size_t>(grid.stride());
     const auto level = [&](std::size_t k) { return fluid.now.depth[k] + nodes.depth[k] + grid.bed[k]; };
     const double here = level(n), inverse = 0.5 / grid.cell_size();
-    const auto beside = [&](std::size_t k) {
-        return fluid.cell_kind[k] == k_fluid_cell && fluid.now.depth[k] > dry ? level(k) : here;
-    };
+    const auto beside = [&](std::size_t k) { return fluid.now.depth[k] > dry ? level(k) : here; };
     return {inverse * (beside(n + 1) - beside(n - 1)), inverse * (beside(n + stride) - beside(n - stride))};
 }
 
@@ -60,7 +58,8 @@ Point with_fluid(std::size_t n, double dt, const NodeGrid& grid, double gravity,
     cell.grain_diameter = more.diameter / sums.solids;
     cell.friction = more.friction * inverse_area * flat;
     cell.coupled_velocity = {sums.px / sums.mass, sums.py / sums.mass};
-    cell.free_velocity = {fluid.now.qx[n] / cell.free, fluid.now.qy[n] / cell.free};
+    const Point velocity = fluid.velocity(n);
+    cell.free_velocity = {velocity.x, velocity.y};
     if (bed.manning_on_total) {
         const double u = cell.coupled_velocity.x(), v = cell.coupled_velocity.y();
         const double speed = speed_along_bed(u, v, flat < 1 ? slope.x * u + slope.y * v : 0);
@@ -72,8 +71,7 @@ Point with_fluid(std::size_t n, double dt, const NodeGrid& grid, double gravity,
     cell.push = {push.x, push.y};
     cell.free_push = {fluid.resistance_x[n] / dt - weight * surface.x, fluid.resistance_y[n] / dt - weight * surface.y};
     const Eigen::Vector2d impulse = exchange(laws, cell, dt);
-    fluid.now.qx[n] -= impulse.x() / density;
-    fluid.now.qy[n] -= impulse.y() / density;
+    fluid.push(n, -impulse.x() / density, -impulse.y() / density);
     const double per_mass = 1 / (cell.coupled_mass * dt);
     return {push.x + impulse.x() * per_mass, push.y + impulse.y() * per_mass};
 }

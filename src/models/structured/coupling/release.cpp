@@ -22,7 +22,7 @@ Released release_fluid(SolidState& solid, const NodeGrid& grid, const FluidLaws&
     Released released;
     double refused = 0;  // [m], over a cell
     const auto pass_on = [&] {
-        refused += receive(sources, fluid, grid, laws);
+        refused += receive(sources, fluid, laws);
         sources.clear();
     };
     for (std::size_t p = 0; p < particles.size(); ++p) {

@@ -38,20 +38,22 @@ double speed_over_solids(double left, double b, double total, double own, double
 
 }  // namespace
 
-void resist(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws, const FluidState& state,
-            const SolidsOnGrid& solid, double dt, FluidFields& fields) {
+void resist(const NodeRange& range, const FluidLaws& laws, const SolidsOnGrid& solid, double dt, FluidState& state) {
     const bool enhanced = solid.u != nullptr && laws.mobility > 0 && laws.viscosity > 0;
-    const double half_inverse = 0.5 / nodes.cell_size();
-    range.for_each(nodes.stride(), [&](std::size_t cell, std::int64_t, std::int64_t) {
-        const double h = fields.depth[cell];
-        if (h < laws.dry || state.cell_kind[cell] != k_fluid_cell) return;
-        double u = fields.qx[cell] / h, v = fields.qy[cell] / h;
+    finite_volume::State& now = state.now;
+    range.for_each(now.nodes.stride(), [&](std::size_t cell, std::int64_t, std::int64_t) {
+        const double h = now.depth[cell];
+        if (!(h > laws.dry)) return;
+        const BedFrame frame = state.frame(cell);
+        const Point start{now.qx[cell] / h, now.qy[cell] / h};  // along the bed
+        Point w = start;
         const double solids = solid.solid_fraction != nullptr ? solid.solid_fraction[cell] : 0;
         const double solid_depth = solid.depth != nullptr ? solid.depth[cell] : 0;
         const double total = h + solid_depth;
         // Linear: viscous shear at the bed, damping towards the solids' velocity.
-        double linear = 0, pull_u = 0, pull_v = 0;
+        double linear = 0;
         if (laws.viscosity > 0) {
+            Point pull{state.force_x[cell] / h, state.force_y[cell] / h};
             const double nu = kinematic_viscosity(laws, solids);
             linear = laws.velocity_shape * nu / (total * total);
             if (enhanced) {
@@ -59,29 +61,29 @@ void resist(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws
                 const double rate = laws.mobility * nu / std::max(h / total, k_least_free_fraction) *
                                     laws.solids_shape * solids * loose / (total * total);
                 linear += rate;
-                pull_u = rate * solid.u[cell];
-                pull_v = rate * solid.v[cell];
+                pull.x += rate * solid.u[cell];
+                pull.y += rate * solid.v[cell];
             }
+            const Point gain = frame.along_bed(dt * pull.x, dt * pull.y);
+            w = {w.x + gain.x, w.y + gain.y};
         }
-        u += dt * pull_u;
-        v += dt * pull_v;
         // Quadratic: Manning, along the bed. The speed V after the step solves V (1 + dt linear + dt a V) = V*.
-        double climb = 0, flat = 1;
-        if (laws.steep) {
-            climb = climb_at(nodes.bed.data() + cell, nodes.stride(), half_inverse, u, v);
-            flat = std::sqrt(state.slope_factor[cell]);
-        }
-        const double speed = speed_along_bed(u, v, climb), b = 1 + dt * linear;
+        const double speed = std::sqrt(w.x * w.x + w.y * w.y), b = 1 + dt * linear, flat = 1 / frame.root;
         const double own = manning_resistance(dt * laws.gravity, laws.manning, h * flat);
         double kept = 1 / implicit_divisor(speed, b, own);
         if (laws.manning_on_total && solid_depth > 0 && speed > 0) {
             // The solids' velocity along the fluid's, as a part of it; over solids at rest the fluid has its own depth.
-            const double along = (u * solid.u[cell] + v * solid.v[cell]) / (u * u + v * v);
+            const Point u = frame.in_map(w.x, w.y);
+            const double along = (u.x * solid.u[cell] + u.y * solid.v[cell]) / (u.x * u.x + u.y * u.y);
             const double both = dt * column_resistance(laws, solid, cell, h, flat);
             if (along > 0) kept = speed_over_solids(speed, b, both, own - both, along * speed) / speed;
         }
-        fields.qx[cell] = h * u * kept;
-        fields.qy[cell] = h * v * kept;
+        now.qx[cell] = h * w.x * kept;
+        now.qy[cell] = h * w.y * kept;
+        if (!(solid_depth > 0) || state.resistance_x.size() == 0) return;
+        const Point change = frame.in_map(w.x * kept - start.x, w.y * kept - start.y);
+        state.resistance_x[cell] += change.x;
+        state.resistance_y[cell] += change.y;
     });
 }
 
@@ -102,19 +104,20 @@ struct Gradient {
 
 }  // namespace
 
-void shear(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws, const FluidState& state,
-           const SolidsOnGrid& solid, double dt, const FluidFields& from, FluidFields& to) {
+void shear(const NodeRange& range, const FluidLaws& laws, const SolidsOnGrid& solid, FluidState& state) {
+    const NodeGrid& nodes = state.now.nodes;
     const double dx = nodes.cell_size();
     const std::int64_t stride = nodes.stride(), rows = nodes.padded_rows();
     const auto cell_at = [&](std::int64_t i, std::int64_t j) {
         Cell c;
         if (i < 0 || j < 0 || i >= stride || j >= rows) return c;
         const auto k = static_cast<std::size_t>(j * stride + i);
-        c.depth = from.depth[k];
-        c.wet = state.cell_kind[k] == k_fluid_cell && c.depth >= laws.dry;
+        c.depth = state.now.depth[k];
+        c.wet = c.depth > laws.dry;
         if (!c.wet) return c;
-        c.u = from.qx[k] / c.depth;
-        c.v = from.qy[k] / c.depth;
+        const Point velocity = state.velocity(k);
+        c.u = velocity.x;
+        c.v = velocity.y;
         c.nu_n = kinematic_viscosity(laws, solid.solid_fraction != nullptr ? solid.solid_fraction[k] : 0);
         if (solid.u != nullptr && solid.depth[k] > 0) {
             const double total = c.depth + solid.depth[k];
@@ -155,12 +158,11 @@ void shear(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws,
         if (x_face) return Force{depth * (2 * nu_n * gx.u - 2 * nu_a * gx.fraction * wu), depth * xy};
         return Force{depth * xy, depth * (2 * nu_n * gy.v - 2 * nu_a * gy.fraction * wv)};
     };
-    const double ratio = dt / dx;
     range.for_each(stride, [&](std::size_t cell, std::int64_t i, std::int64_t j) {
         const Force east = face(i, j, true), west = face(i - 1, j, true);
         const Force north = face(i, j, false), south = face(i, j - 1, false);
-        to.qx[cell] = from.qx[cell] + ratio * (east.x - west.x + north.x - south.x);
-        to.qy[cell] = from.qy[cell] + ratio * (east.y - west.y + north.y - south.y);
+        state.force_x[cell] = (east.x - west.x + north.x - south.x) / dx;
+        state.force_y[cell] = (east.y - west.y + north.y - south.y) / dx;
     });
 }
 

@@ -48,19 +48,17 @@ inline double column_resistance(const FluidLaws& laws, const SolidsOnGrid& solid
 ///     R_s = nu_A zeta alpha_s (1 - f_sc) / h^2      damping by the solids' profile (equation 45; the sign is
 ///                                                   ours)
 ///
-/// Reads depth; writes qx, qy.
-void resist(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws, const FluidState& state,
-            const SolidsOnGrid& solid, double dt, FluidFields& fields);
+/// After the change of momentum by FluidState::force. Writes the momentum of fluid, and FluidState::resistance.
+void resist(const NodeRange& range, const FluidLaws& laws, const SolidsOnGrid& solid, double dt, FluidState& state);
 
-/// In-plane viscous stress in one tile over dt, explicit, as the divergence of depth times stress through the faces
+/// Force of the in-plane viscous stress in one tile, as the divergence of depth times stress through the faces
 /// (ours: the paper's (56) has depth and viscosity outside the derivative), so that momentum is conserved:
 ///
 ///     tau_ab = nu_N (du_a/dx_b + du_b/dx_a) - nu_A (dalpha_c/dx_a w_b + dalpha_c/dx_b w_a),   w = u_u - u_c
 ///
 /// nu_N = eta/rho_u, nu_A = A eta/(rho_u alpha_u); paper, equation 30. The depth of a face is the lesser of its two
-/// cells'; no stress acts across a wall, an edge or a dry cell. Reads `from` in the tile and one cell around; writes
-/// to.qx, to.qy.
-void shear(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws, const FluidState& state,
-           const SolidsOnGrid& solid, double dt, const FluidFields& from, FluidFields& to);
+/// cells'; no stress acts across a wall, an edge or a dry cell. Reads the tile and one cell around; writes
+/// FluidState::force.
+void shear(const NodeRange& range, const FluidLaws& laws, const SolidsOnGrid& solid, FluidState& state);
 
 }  // namespace frana::structured

@@ -6,19 +6,10 @@
 
 #include "core/default_values.h"
 #include "core/zero_array.h"
-#include "models/structured/tile_lists.h"
-#include "mpm/node_grid.h"
+#include "models/finite_volume/state.h"
+#include "mpm/curvature.h"
 
 namespace frana::structured {
-
-/// Free fluid in every cell, padded like the nodes (NodeGrid::index), in map view.
-struct FluidFields {
-    ZeroArray<double> depth;   ///< h_u, vertical [m]; never negative
-    ZeroArray<double> qx, qy;  ///< unit discharge h_u u_u [m2/s]; zero below the dry depth
-
-    FluidFields() = default;
-    explicit FluidFields(std::size_t size) : depth(size), qx(size), qy(size) {}
-};
 
 /// Depth, velocity and fractions of solid particles in the cells, padded like the nodes; null pointers in a scene
 /// without solids. The fluid lies on the effective bed b + depth; the other fields affect only its viscous stress.
@@ -42,9 +33,8 @@ struct FluidSource {
 /// Parameters of the free fluid; constant during a run.
 struct FluidLaws {
     double gravity = k_standard_gravity;  ///< [m/s2]
-    double cfl = 0.5;                     ///< at most 0.5, which keeps depths positive
+    double cfl = k_courant_of_sweeps;     ///< of a sweep
     double dry = k_dry_depth;             ///< depth under which fluid does not move [m]
-    bool second_order = true;             ///< false: cell values and one Euler stage
     bool steep = true;                    ///< gravity over 1 + |grad b|^2, resistance along the bed
     bool wall = false;                    ///< the edge of the grid; false: open
     bool gaps_are_open = true;            ///< flow may enter cells without terrain (and is counted); false: walls
@@ -64,57 +54,47 @@ struct FluidLaws {
 /// Everything of the fluid that changes during a run.
 struct FluidState {
     /// No fluid anywhere.
-    FluidState(const NodeGrid& nodes, const FluidLaws& laws);
+    /// @param nodes must outlive the state
+    FluidState(NodeGrid& nodes, const FluidLaws& laws);
 
-    FluidFields now;  ///< the present; a coupling may change qx and qy of wet cells between steps
+    finite_volume::State now;            ///< depth h_u, and momentum along the bed; no cell of walls and gaps has any
+    double volume_into_gaps = 0;         ///< of what left, into cells without terrain [m3]
+    ZeroArray<double> force_x, force_y;  ///< of the in-plane stress, over density [m2/s2]; empty without viscosity
 
-    TileGrid grid;
-    std::vector<std::int64_t> tiles;  ///< with moving fluid, and their neighbours; ascending
-    double volume_left = 0;           ///< through open boundaries, into gaps included [m3]
-    double volume_into_gaps = 0;      ///< of which into cells without terrain [m3]
-
-    /// Change of the velocity by stress and resistance in the last advance [m/s]; only in cells with solids.
+    /// Change of the velocity in map view by stress and resistance in the last advance [m/s]; only in cells with
+    /// solids.
     ZeroArray<double> resistance_x, resistance_y;
+    std::vector<std::int64_t> resisted;  ///< tiles in which it is not 0; ascending
 
-    // Used by fluid_step.cpp only.
-    std::vector<std::int64_t> touched;  ///< tiles that were ever in `tiles`; ascending
-    FluidFields stage, next;            ///< buffers; as `now` outside `tiles`
-    ZeroArray<std::uint8_t> wet;        ///< by tile: contains fluid deeper than the dry depth
-
-    // Of the ground; valid in tiles that have it (need_ground).
-    ZeroArray<std::uint8_t> cell_kind;   ///< padded; CellKind
-    ZeroArray<double> slope_factor;      ///< padded 1 / (1 + |grad b|^2); empty unless steep
-    ZeroArray<std::uint8_t> has_ground;  ///< by tile
+    [[nodiscard]] BedFrame frame(std::size_t cell) const noexcept {
+        return {now.slope_x[cell], now.slope_y[cell], now.root[cell]};
+    }
+    /// In map view, of a cell with fluid [m/s].
+    [[nodiscard]] Point velocity(std::size_t cell) const noexcept {
+        return frame(cell).in_map(now.qx[cell] / now.depth[cell], now.qy[cell] / now.depth[cell]);
+    }
+    /// Adds momentum in map view, over density [m2/s].
+    void push(std::size_t cell, double x, double y) noexcept {
+        const Point along = frame(cell).along_bed(x, y);
+        now.qx[cell] += along.x;
+        now.qy[cell] += along.y;
+    }
 };
-
-template <class Archive>
-void serialise(Archive& archive, FluidFields& fields) {
-    auto& [depth, qx, qy] = fields;
-    archive(depth, qx, qy);
-}
 
 /// Checks, after reading a state, that its tiles are those of its grid.
 [[nodiscard]] inline bool has_own_tiles(const FluidState& state) {
-    return are_tiles_of(state.grid, state.tiles) && are_tiles_of(state.grid, state.touched);
+    return are_tiles_of(state.now.tiles, state.now.wet);
 }
 
-/// Everything except what set_ground, need_ground and advance compute.
 template <class Archive>
 void serialise(Archive& archive, FluidState& state) {
-    [[maybe_unused]] auto& [now, grid, tiles, volume_left, volume_into_gaps, resistance_x, resistance_y, touched, stage,
-                            next, wet, cell_kind, slope_factor, has_ground] = state;
-    archive(now, tiles, volume_left, volume_into_gaps, touched, stage, next, wet);
+    archive(state.now, state.volume_into_gaps);  // the rest is of an advance
 }
-
-/// Cell type for the fluid.
-enum CellKind : std::uint8_t { k_fluid_cell = 0, k_wall_cell = 1, k_open_cell = 2, k_gap_cell = 3 };
 
 /// Results of an advance.
 struct FluidReport {
-    int steps = 0;                   ///< Heun steps
-    int retries = 0;                 ///< of which repeated at half length, because a depth would have been negative
+    int steps = 0;
     std::int64_t non_finite = 0;     ///< cells
-    std::int64_t wet_cells = 0;      ///< deeper than the dry depth, at the end
     std::int64_t updated_cells = 0;  ///< sum over steps of the cells computed
 };
 

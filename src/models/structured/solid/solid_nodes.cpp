@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "models/structured/solid/cubic_stencil.h"
-#include "models/structured/tile_lists.h"
+#include "mpm/tile_lists.h"
 
 namespace frana::structured {
 namespace {

@@ -27,7 +27,7 @@ struct Water {
 /// A free fluid with its grid, in local metres.
 struct Basin {
     Basin(const Raster& bed, FluidLaws fluid_laws, int threads = 1, const Raster* walls = nullptr)
-        : nodes(with_walls(bed, walls)),
+        : ground(std::make_unique<NodeGrid>(with_walls(bed, walls))),
           laws(std::move(fluid_laws)),
           state(nodes, laws),
           pool(std::make_unique<ThreadPool>(threads)) {}
@@ -38,12 +38,12 @@ struct Basin {
             const Water w = at(p);
             if (w.depth > 0 && has_fluid(cell)) sources.push_back({cell, w.depth, w.depth * w.u, w.depth * w.v});
         });
-        receive(sources, state, nodes, laws);
+        receive(sources, state, laws);
     }
     /// Whether a cell may have fluid: neither wall nor gap.
     [[nodiscard]] bool has_fluid(std::size_t cell) const { return !nodes.is_gap(cell) && !nodes.is_wall(cell); }
-    FluidReport advance(double dt) { return structured::advance(state, nodes, laws, solid, dt, *pool); }
-    [[nodiscard]] double volume() { return fluid_volume(state, nodes, *pool); }
+    FluidReport advance(double dt) { return structured::advance(state, laws, solid, dt, *pool); }
+    [[nodiscard]] double volume() { return fluid_volume(state); }
 
     template <class Visit>
     void for_cells(const Visit& visit) const {
@@ -55,12 +55,12 @@ struct Basin {
     }
     /// Velocity of a cell [m/s]; zero under the dry depth.
     [[nodiscard]] double velocity(double depth, double discharge) const {
-        return depth >= laws.dry ? discharge / depth : 0;
+        return depth > laws.dry ? discharge / depth : 0;
     }
     [[nodiscard]] double depth(std::int64_t i, std::int64_t j) const { return state.now.depth[nodes.index(i, j)]; }
     [[nodiscard]] double u(std::int64_t i, std::int64_t j) const {
         const std::size_t cell = nodes.index(i, j);
-        return velocity(state.now.depth[cell], state.now.qx[cell]);
+        return state.now.depth[cell] > laws.dry ? state.velocity(cell).x : 0;
     }
     /// Greatest speed of any cell [m/s].
     [[nodiscard]] double greatest_speed() const {
@@ -82,11 +82,12 @@ struct Basin {
         return error / sum;
     }
 
-    NodeGrid nodes;
+    std::unique_ptr<NodeGrid> ground;  // so that a basin can be moved
+    NodeGrid& nodes = *ground;
     FluidLaws laws;
     FluidState state;
     SolidsOnGrid solid;
-    std::unique_ptr<ThreadPool> pool;  // so that a basin can be moved
+    std::unique_ptr<ThreadPool> pool;
 
   private:
     static NodeGrid with_walls(const Raster& bed, const Raster* walls) {

@@ -69,11 +69,13 @@ TEST(StructuredRun, FluidGivesMaximaArrivalSeriesAndBudget) {
     budget_closes(result);
     EXPECT_EQ(result.particles_peak, 0);
     ASSERT_EQ(times.size(), 21u);
-    // Each is the first state at or after its time; no step of this scene is as long as 0.2 s, a cell over the speed of
-    // a film.
+    // Each is the first state at or after its time.
+    double longest = 0;
+    for (std::size_t i = 1; i < result.series.size(); ++i)
+        longest = std::max(longest, result.series[i].time - result.series[i - 1].time);
     for (std::size_t i = 0; i < times.size(); ++i) {
         EXPECT_GE(times[i], static_cast<double>(i) - 1e-9);
-        EXPECT_LT(times[i], static_cast<double>(i) + 0.2);
+        EXPECT_LT(times[i], static_cast<double>(i) + longest);
     }
     ASSERT_NE(named(result.rasters, "fluid_velocity"), nullptr);
     // Water falls 30 m: less than 2 sqrt(g H), more than a slow creep.
@@ -174,6 +176,51 @@ TEST(StructuredRun, SectionCountsWhatPasses) {
     double deepest = 0;
     for (const GaugeRow& row : result.gauges) deepest = std::max(deepest, row.depth);
     EXPECT_GT(deepest, 0.1);
+}
+
+// Water that breaks a dam of 8 m, 40 m before a vertical step, without friction. At the lip it is as fast as beside it:
+// the slope between the cells above and below, 0.25 to 60 here, is no path that it has run. It passes the lip faster
+// than its waves: as much as on level ground (Ritter 1892), 97.5 m2 in 10 s, but for where in its cell the lip is: the
+// content of one, 2.13 m deep.
+TEST(StructuredRun, ALipIsNeitherFastNorADam) {
+    constexpr double k_edge = 120, k_deep = 8, k_passed = 97.46, k_lip_depth = 2.13;
+    for (const double height : {5.0, 50.0, 150.0}) {
+        for (const double cell : {10.0, 5.0, 2.5, 1.25}) {
+            Scene scene;
+            const auto columns = static_cast<std::int64_t>(400 / cell);
+            const double north = 5000000 + 4 * cell;
+            scene.grid = {600000, north, cell, columns, 4, ""};
+            scene.terrain = Raster(scene.grid);
+            for (std::int64_t r = 0; r < 4; ++r)
+                for (std::int64_t c = 0; c < columns; ++c)
+                    scene.terrain.at(r, c) = (static_cast<double>(c) + 0.5) * cell < k_edge ? 100 + height : 100;
+            scene.release = {{{{{{600000, 5000000}, {600080, 5000000}, {600080, north}, {600000, north}}, {}}},
+                              k_deep,
+                              {},
+                              {},
+                              false}};
+            scene.structured = StructuredMaterial{};
+            scene.structured->solids = false;
+            scene.structured->manning = 0;
+            scene.numerics.boundary = Boundary::wall;
+            scene.time.end = 10;
+            const RunResult result = run(scene, {});
+            EXPECT_EQ(result.stop_reason, StopReason::end_time);
+            const auto lip = static_cast<std::int64_t>(k_edge / cell) - 1;
+            for (const char* name : {"max_velocity", "max_pressure"}) {
+                const Raster& most = result.raster(name);
+                const double before = most.at(1, lip - 1), after = most.at(1, lip + 1);
+                EXPECT_LT(most.at(1, lip), 1.2 * std::max(before, after)) << name << height << " m, " << cell << " m";
+                EXPECT_GT(most.at(1, lip), std::min(before, after) / 1.2) << name << height << " m, " << cell << " m";
+            }
+            double passed = 0;
+            for (std::int64_t c = lip + 1; c < columns; ++c) {
+                const double depth = result.raster("final_depth").at(1, c);
+                passed += std::isnan(depth) ? 0 : depth * cell;
+            }
+            EXPECT_NEAR(passed, k_passed, k_lip_depth * cell) << height << " m, " << cell << " m";
+        }
+    }
 }
 
 TEST(StructuredRun, EstimateFitsTheScene) {

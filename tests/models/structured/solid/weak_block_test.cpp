@@ -43,7 +43,7 @@ Spread slide_off(double cohesion, double slope_deg, bool wet = false) {
         for (std::int64_t row = 21; row < 29; ++row)
             for (std::int64_t column = 5; column < 15; ++column)
                 water.push_back({state.grid.index(column, row), 4, 0, 0});
-        receive(water, *state.fluid, state.grid, c.laws.fluid);
+        receive(water, *state.fluid, c.laws.fluid);
     }
     std::vector<bool> touched(state.solid->nodes.depth.size(), false);
     Spread spread;

@@ -9,7 +9,7 @@
 #include "mpm/node_grid.h"
 #include "particles/tile_order.h"
 
-namespace frana::structured {
+namespace frana {
 
 /// The tiles of a grid's nodes, anchored at the local origin as those of particles are.
 [[nodiscard]] inline TileGrid tiles_on(const NodeGrid& nodes) {
@@ -30,4 +30,4 @@ inline void make_ascending(std::vector<std::int64_t>& tiles) {
            std::adjacent_find(tiles.begin(), tiles.end(), std::greater_equal<>()) == tiles.end();
 }
 
-}  // namespace frana::structured
+}  // namespace frana
