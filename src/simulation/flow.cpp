@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "analysis/separate_flows.h"
 #include "mpm/shape.h"
 #include "mpm/shown_depth.h"
 #include "mpm/update_nodes.h"
@@ -313,7 +314,31 @@ Flow::Snapshot Flow::snapshot() {
         shot.depth.values[c] = depth;
         shot.speed.values[c] = speed_along_bed(node, {u, v});
     });
+    hold_volume(shot.depth);
     return shot;
+}
+
+// The particles' own depths and their crowding tell the level of a lake exactly, but the volume of a channel a few
+// cells wide, of a pit or of what stands behind a dam only to a tenth. A patch of cells that touch gets the volume that
+// they have, if the two differ by more than a hundredth.
+void Flow::hold_volume(Raster& depth) const {
+    constexpr double k_same = 0.01;
+    const SeparateFlows patches(Raster(grid_), depth, {});
+    std::vector<double> shown(patches.count()), held(patches.count());
+    const auto visit = [&](const auto& work) {
+        for_each_reached_cell([&](std::int64_t row, std::int64_t column, std::size_t node) {
+            const std::size_t cell = depth.index(row, column);
+            if (depth.values[cell] > 0)
+                work(patches.flow_of(cell), depth.values[cell], state_.nodes.forces()[node].mass);
+        });
+    };
+    visit([&](std::size_t patch, double here, double volume) {
+        shown[patch] += here * grid_.cell_area();
+        held[patch] += volume;
+    });
+    visit([&](std::size_t patch, double& here, double) {
+        if (std::abs(held[patch] - shown[patch]) > k_same * held[patch]) here *= held[patch] / shown[patch];
+    });
 }
 
 void Flow::record_present() {

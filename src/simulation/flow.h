@@ -136,6 +136,7 @@ class Flow final : public Model {
     }
 
   private:
+    void hold_volume(Raster& depth) const;
     void gather();
     // Calls visit(row, column, node) for the cells that particles can touch, tile by tile.
     template <class Visit>

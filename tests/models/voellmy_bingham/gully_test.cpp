@@ -56,6 +56,22 @@ double slumped_depth(double dx, double wall_deg) {
     return square / depth;
 }
 
+// Particles crowd in a gully of two cells, and what they tell of its depth is not its volume: maps have the volume.
+TEST(NarrowGully, IsShownWithItsVolume) {
+    const Raster bed = gully(10, 50, 15);
+    const ParticleSet seeds = bench::fill_lattice(
+        bed.grid, 2, 0, [&](Point p) { return bench::Seed{p.x < 60 && std::abs(p.y - 51.85) < 20 ? 4.0 : 0.0}; });
+    Flow flow(bed, seeds, dry_friction(25), numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), 1);
+    flow.advance_to(40);
+    const auto volume = [&](const Raster& depth) {
+        double sum = 0;
+        for (const double h : depth.values) sum += h > 0 ? h * bed.grid.cell_area() : 0;
+        return sum;
+    };
+    EXPECT_GT(std::abs(volume(flow.nodal_fields().depth) - flow.volume()), 0.03 * flow.volume()) << "a hard case";
+    EXPECT_NEAR(volume(flow.snapshot().depth), flow.volume(), 0.01 * flow.volume());
+}
+
 class Slump : public testing::TestWithParam<double> {};
 
 // Order 0.8: halving the cells leaves at most 2^-0.8 of the change by the previous halving. With the linear form of the
