@@ -54,12 +54,12 @@ TEST(KeyRules, RefuseWhatConcernsFiles) {
 TEST(KeyRules, RefuseInTheProgramsWords) {
     const auto range = problem_of_setting("material.friction-coefficient", "32");
     ASSERT_TRUE(range);
-    EXPECT_TRUE(range->where.ends_with("material.friction-coefficient"));
+    EXPECT_TRUE(range->where.text.ends_with("material.friction-coefficient"));
     EXPECT_EQ(range->value, "32");
     EXPECT_FALSE(range->limit.empty());
     const auto name = problem_of_setting("material.friction-koefficient", "0.2");
     ASSERT_TRUE(name);
-    EXPECT_TRUE(name->where.ends_with("material.friction-koefficient"));
+    EXPECT_TRUE(name->where.text.ends_with("material.friction-koefficient"));
     EXPECT_EQ(name->remedy, "Did you mean material.friction-coefficient?");
     const auto word = problem_of_setting("material.friction-coefficient", "0,2"),
                none = problem_of_setting("material.friction-coefficient", "");

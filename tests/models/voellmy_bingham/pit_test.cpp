@@ -3,6 +3,7 @@
 // must press with the depth on the ground, or it stands as a pillar for ever.
 #include <gtest/gtest.h>
 
+#include "physics/laws.h"
 #include "support/cases.h"
 
 namespace frana::test {
@@ -83,8 +84,8 @@ TEST_P(FilledSlot, ThrowsNothingUpTheCliff) {
     const ParticleSet seeds =
         bench::fill_lattice(grid, 2, 0, [](Point p) { return bench::Seed{p.x > 40 && p.x < 180 ? 2.0 : 0.0}; });
     Material snow = water();
-    snow.friction_coefficient = 0.2;
-    snow.turbulence = 2000;
+    snow.of<CoulombFriction>().friction_coefficient = 0.2;
+    snow.of<TurbulentFriction>().turbulence = 2000;
     Flow flow(bed, seeds, snow, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), 1);
     double deepest = 0;
     while (flow.time() < 15) {
