@@ -299,18 +299,15 @@ struct ParticleSweep {
     typename L::Count clamped{}, non_finite{}, outside{}, piled_up{};
     std::int64_t no_data = 0;
 
-    /// Particles p to p + n - 1.
+    struct Velocity {
+        Number u, v;
+    };
+
+    /// Takes the velocity of the nodes, its gradient and the work of the bed.
     template <class Count>
-    [[gnu::always_inline]] void operator()(std::size_t p, Count n, Number old_x, Number old_y,
-                                           const Gathered<Number> &g) {
-        using std::abs;
-        using std::max;
-        using std::min;
+    [[gnu::always_inline]] Velocity take_velocity(std::size_t p, Count n, Number mass, Number old_area, Number support,
+                                                  const Gathered<Number> &g) {
         using std::sqrt;
-        const Mask real = L::first(n);
-        const Number mass = L::load(volume + p, n), old_area = L::load(area + p, n);
-        const double cell_area = grid.dx * grid.dx, courant = k.dt * grid.inverse_dx;
-        const Number support = min(Number(1.0), g.support), held = max(Number(0.0), g.support - 1);
         Number back_u = g.back_u, back_v = g.back_v;
         Gradient<Number> c{d * g.m_xx, d * g.m_xy, d * g.m_yx, d * g.m_yy};
         if (k.kept != 0) {
@@ -356,7 +353,19 @@ struct ParticleSweep {
         }
         L::store(back_u, u + p, n);
         L::store(back_v, v + p, n);
+        return {back_u, back_v};
+    }
 
+    /// Deforms the particle with the flow; returns its area.
+    template <class Count>
+    [[gnu::always_inline]] Number deform(std::size_t p, Count n, Number mass, Number old_area, Number speed,
+                                         const Gathered<Number> &g) {
+        using std::max;
+        using std::min;
+        using std::sqrt;
+        const Mask real = L::first(n);
+        const double cell_area = grid.dx * grid.dx, courant = k.dt * grid.inverse_dx;
+        const Number support = min(Number(1.0), g.support), held = max(Number(0.0), g.support - 1);
         // Equation (38) in two dimensions: the area follows the map x -> x + dt v(x), whose determinant this is.
         const Number div = g.u_x + g.v_y;
         Number squeezed = 0.0;
@@ -386,7 +395,6 @@ struct ParticleSweep {
             L::store(fit * xy, q_xy + p, n);
             L::store(fit * yy, q_yy + p, n);
         }
-        const Number speed2 = g.u * g.u + g.v * g.v, speed = sqrt(speed2);
         if constexpr (Relaxed) {
             Number pace = speed, fraction = g.fraction;
             const Mask piled =
@@ -398,24 +406,15 @@ struct ParticleSweep {
             }
             new_area = relaxed_area<Number>(new_area, old_area, fraction, support, pace, courant, cell_area, squeezed);
         }
-        const Number depth = mass / new_area;
-        if constexpr (Stress::active) {
-            const auto t = stress(StrainRate<Number>{g.u_x, 0.5 * (g.u_y + g.v_x), g.v_y, g.u, g.v, depth});
-            L::store(t.xx, s_xx + p, n);
-            L::store(t.xy, s_xy + p, n);
-            L::store(t.yy, s_yy + p, n);
-            diffusivity = max(diffusivity, t.diffusivity);
-        }
-        Number px = old_x + k.dt * g.u, py = old_y + k.dt * g.v;
-        if constexpr (Shifts) {
-            const Shift<Number> shift =
-                shift_of<Number>(k.shift, speed * courant, support, g.least, g.fraction, g.fraction_x, g.fraction_y,
-                                 g.cell_depth, g.depth_x, g.depth_y, grid.dx);
-            px += shift.x;
-            py += shift.y;
-            new_area = new_area * shift.growth;
-        }
-        L::store(new_area, area + p, n);
+        return new_area;
+    }
+
+    /// Keeps a place on the ground and off walls; returns whether there are walls or gaps near.
+    template <class Count>
+    [[gnu::always_inline]] bool keep_off_walls(Count n, Number old_x, Number old_y, Number &px, Number &py) const {
+        using std::abs;
+        using std::max;
+        using std::min;
         if (k.wall) {
             const double margin = 1e-9 * grid.dx;
             px = min(max(px, Number(edges.west + margin)), Number(edges.east - margin));
@@ -432,6 +431,42 @@ struct ParticleSweep {
                 L::set(py, l, along_y);
             }
         }
+        return meets_solid;
+    }
+
+    /// Particles p to p + n - 1.
+    template <class Count>
+    [[gnu::always_inline]] void operator()(std::size_t p, Count n, Number old_x, Number old_y,
+                                           const Gathered<Number> &g) {
+        using std::abs;
+        using std::max;
+        using std::min;
+        using std::sqrt;
+        const Mask real = L::first(n);
+        const Number mass = L::load(volume + p, n), old_area = L::load(area + p, n);
+        const Number support = min(Number(1.0), g.support);
+        const auto [back_u, back_v] = take_velocity(p, n, mass, old_area, support, g);
+        const Number speed2 = g.u * g.u + g.v * g.v, speed = sqrt(speed2);
+        Number new_area = deform(p, n, mass, old_area, speed, g);
+        const Number depth = mass / new_area;
+        if constexpr (Stress::active) {
+            const auto t = stress(StrainRate<Number>{g.u_x, 0.5 * (g.u_y + g.v_x), g.v_y, g.u, g.v, depth});
+            L::store(t.xx, s_xx + p, n);
+            L::store(t.xy, s_xy + p, n);
+            L::store(t.yy, s_yy + p, n);
+            diffusivity = max(diffusivity, t.diffusivity);
+        }
+        Number px = old_x + k.dt * g.u, py = old_y + k.dt * g.v;
+        if constexpr (Shifts) {
+            const Shift<Number> shift =
+                shift_of<Number>(k.shift, speed * (k.dt * grid.inverse_dx), support, g.least, g.fraction, g.fraction_x,
+                                 g.fraction_y, g.cell_depth, g.depth_x, g.depth_y, grid.dx);
+            px += shift.x;
+            py += shift.y;
+            new_area = new_area * shift.growth;
+        }
+        L::store(new_area, area + p, n);
+        const bool meets_solid = keep_off_walls(n, old_x, old_y, px, py);
         // Non-finite particles keep their position; the run stops after this step.
         const Number celerity = sqrt(k.gravity * depth), wave = speed + celerity;
         const Mask finite = (wave < 1e9) & (abs(px) < 1e12) & (abs(py) < 1e12);

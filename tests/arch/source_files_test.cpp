@@ -27,8 +27,7 @@ TEST(SourceFiles, NoFileIsTooLong) {
         EXPECT_LE(lines_of(file).size(), k_most_lines) << file << " is to be split";
 }
 
-// As clang-format lays them out: from the line that ends with the brace to the line with the closing one below its
-// first letter.
+// As clang-format lays them out: from the first line of what ends with the brace to the next that is no further in.
 TEST(SourceFiles, NoFunctionIsTooLong) {
     constexpr std::size_t k_most_lines = 80;
     const std::regex other(R"((if|for|while|switch|else|do|try|namespace|struct|class|enum|union|return)\b.*)");
@@ -43,12 +42,12 @@ TEST(SourceFiles, NoFunctionIsTooLong) {
                        std::count(lines[line].begin(), lines[line].end(), '(');
             };
             for (auto missing = open(i); missing > 0 && begin > 0; missing += open(begin)) --begin;
-            const std::size_t indent = std::min(lines[begin].find_first_not_of(' '), lines[begin].size());
-            const std::string code = lines[begin].substr(indent);
+            const auto indent = [&](std::size_t line) { return lines[line].find_first_not_of(' '); };
+            const std::string code = lines[begin].substr(indent(begin));
             if (code.starts_with("}") || std::regex_match(code, other)) continue;
-            const std::string closing = std::string(indent, ' ') + '}';
             std::size_t end = i + 1;
-            while (end < lines.size() && !lines[end].starts_with(closing)) ++end;
+            while (end < lines.size() && (lines[end].empty() || lines[end][0] == '#' || indent(end) > indent(begin)))
+                ++end;
             ++functions;
             EXPECT_LE(end - begin + 1, k_most_lines) << file << ':' << begin + 1 << " is to be split: " << code;
         }
@@ -64,7 +63,7 @@ std::size_t lines_in(const std::string& folder) {
 
 // Lower it when the product has shrunk; what comes in makes its room elsewhere.
 TEST(SourceFiles, TheProductKeepsItsSumOfLines) {
-    constexpr std::size_t k_lines = 90098;
+    constexpr std::size_t k_lines = 89666;
     EXPECT_LE(lines_in("src") + lines_in("gis") + lines_in("render"), k_lines);
 }
 

@@ -234,6 +234,39 @@ FRANA_INLINE Side side_of(const CellRow& a, const CellRow& b, const CellRow& c, 
             z + side * (rise - dh)};
 }
 
+/// The beds on which the flow of both sides meets at a face.
+struct FaceBeds {
+    Quad below, above;  ///< [m]
+    Quad step;          ///< from one to the other, each of its own cell [m]
+    Quad leaps;         ///< 1 where the flow leaps from the higher to the lower, 0 elsewhere
+};
+
+/// Flow that goes down, or is fast enough to climb, has one bed at a face where the beds of both cells, each with its
+/// own slope, cross: the higher one would dam it. So has thin flow that runs faster than its waves, down or, with the
+/// energy for it, up: at a step its energy would be lost, and a sharp corner of the ground would dam it.
+FRANA_INLINE FaceBeds beds_of(const CellRow& a, const CellRow& b, const CellRow& c, const CellRow& d, std::size_t q,
+                              std::size_t n, const StepValues& v, const Quad& bed_below, const Quad& bed_above) {
+    using L = Lanes<Quad>;
+    const auto at = [&](const double* from) FRANA_INLINE_LAMBDA { return L::load(from + q, n); };
+    const Quad hb = at(b.depth), hc = at(c.depth), zb = at(b.bed), zc = at(c.bed), dz = zc - zb, zero(0.0), one(1.0);
+    const auto rises = dz > 0;
+    const Quad upper = select(rises, hc, hb), lower = select(rises, hb, hc),
+               towards = select(rises, at(b.speed), -at(c.speed));
+    const auto pours = (upper > v.dry) & ((hc + zc - (hb + zb)) * dz > 0.5 * dz * dz);
+    const Quad low = min(zb, zc), high = max(zb, zc), from_below = min(high, max(low, bed_below)),
+               from_above = min(high, max(low, bed_above)), middle = 0.5 * (from_below + from_above);
+    const Quad from = select(rises, at(c.normal), at(b.normal)), up = select(rises, at(b.normal), -at(c.normal));
+    const auto runs = (select(rises, -at(c.speed), at(b.speed)) > 0) & (from * from > v.gravity * upper);
+    const auto able = (towards > 0) & (0.5 * up * up > v.gravity * abs(dz));
+    const auto climbs = L::none(upper > v.dry) & able, mounts = able & (up * up > v.gravity * lower);
+    const Quad step = from_above - from_below,
+               corner = dz - 0.5 * (limited<Quad>(zb - at(a.bed), dz) + limited<Quad>(dz, at(d.bed) - zc));
+    const auto passes = pours | climbs | mounts, free = passes & (runs | mounts) & (abs(dz) > max(hb, hc)),
+               leaps = free & (corner * dz > 0.5 * dz * dz) & (step * dz > 0),
+               one_bed = (passes & (0 > step * dz)) | (free & L::none(leaps));
+    return {select(one_bed, middle, from_below), select(one_bed, middle, from_above), step, select(leaps, one, zero)};
+}
+
 /// Faces between the cells of b and c: HLL for mass and normal momentum (Harten, Lax and van Leer 1983), the tangential
 /// one carried with the mass; hydrostatic reconstruction (Audusse et al. 2004, SIAM J. Sci. Comput. 25, 2050).
 FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow& c, const CellRow& d, std::size_t q,
@@ -243,28 +276,10 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
     const double half = 0.5 * v.dt / v.cell_size;
     const Side below = side_of(a, b, c, q, n, 0.5, half, v.dry), above = side_of(b, c, d, q, n, -0.5, half, v.dry);
     const Quad zero(0.0), one(1.0), tiny(1e-300);
-    const Quad hb = at(b.depth), hc = at(c.depth), zb = at(b.bed), zc = at(c.bed), dz = zc - zb, surface_b = hb + zb,
-               surface_c = hc + zc;
-    // Flow that goes down, or is fast enough to climb, has one bed at a face where the beds of both cells, each with
-    // its own slope, cross: the higher one would dam it. So has thin flow that runs faster than its waves, down or,
-    // with the energy for it, up: at a step its energy would be lost, and a sharp corner of the ground would dam it.
-    const auto rises = dz > 0;
-    const Quad upper = select(rises, hc, hb), towards = select(rises, at(b.speed), -at(c.speed));
-    const auto pours = (upper > v.dry) & ((surface_c - surface_b) * dz > 0.5 * dz * dz);
-    const Quad low = min(zb, zc), high = max(zb, zc), from_below = min(high, max(low, below.bed)),
-               from_above = min(high, max(low, above.bed)), middle = 0.5 * (from_below + from_above);
-    const Quad from = select(rises, at(c.normal), at(b.normal)), up = select(rises, at(b.normal), -at(c.normal)),
-               lower = select(rises, hb, hc);
-    const auto runs = (select(rises, -at(c.speed), at(b.speed)) > 0) & (from * from > v.gravity * upper);
-    const auto able = (towards > 0) & (0.5 * up * up > v.gravity * abs(dz));
-    const auto climbs = L::none(upper > v.dry) & able, mounts = able & (up * up > v.gravity * lower);
-    const Quad step = from_above - from_below,
-               corner = dz - 0.5 * (limited<Quad>(zb - at(a.bed), dz) + limited<Quad>(dz, at(d.bed) - zc));
-    const auto passes = pours | climbs | mounts, free = passes & (runs | mounts) & (abs(dz) > max(hb, hc)),
-               leaps = free & (corner * dz > 0.5 * dz * dz) & (step * dz > 0),
-               one_bed = (passes & (0 > step * dz)) | (free & L::none(leaps));
-    const Quad bed_below = select(one_bed, middle, from_below), bed_above = select(one_bed, middle, from_above),
-               top = max(bed_below, bed_above);
+    const Quad hb = at(b.depth), hc = at(c.depth), zb = at(b.bed), zc = at(c.bed), dz = zc - zb;
+    const FaceBeds beds = beds_of(a, b, c, d, q, n, v, below.bed, above.bed);
+    const Quad bed_below = beds.below, bed_above = beds.above, step = beds.step, top = max(bed_below, bed_above);
+    const auto leaps = beds.leaps > 0.5;
     const Quad depth_below = max(zero, below.depth - select(leaps, zero, top - bed_below)),
                depth_above = max(zero, above.depth - select(leaps, zero, top - bed_above));
     const auto wet_below = depth_below > v.dry, wet_above = depth_above > v.dry;
@@ -296,7 +311,7 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
     put(mass, to.mass);
     // Waves on a pool move it horizontally however steep its bed is: what smooths them there is the difference of the
     // velocities in map view. That of velocities along two different beds would drive them.
-    const auto pool = (abs(dz) > 2 * abs(surface_c - surface_b)) & wet_below & wet_above;
+    const auto pool = (abs(dz) > 2 * abs(hc + zc - (hb + zb))) & wet_below & wet_above;
     const Quad smoothing = both * inverse * given;
     put((fast * mb * below.normal - slow * mc * above.normal) * inverse * given +
             select(pool, zero, smoothing * (depth_above * above.normal - depth_below * below.normal)),
