@@ -530,10 +530,10 @@ GroundDoubts ground_doubts(const Raster& ground, const Raster& path, double cell
     if (!doubts.terraces) find_blurred_blocks(ground, path, on.size(), cell_size, doubts);
     if (doubts.blocks || doubts.terraces) return doubts;  // whose steps look like seams and roughness
     const Path taken(taken_path(ground, path, cell_size, doubts));
-    for (const bool along_rows : {true, false})
-        if (!doubts.seam && !doubts.dam) find_seam(ground, path, cell_size, along_rows, doubts);
     find_rough(ground, taken, cell_size, doubts);
     if (doubts.rough) doubts.dam.reset();  // of trees
+    for (const bool along_rows : {true, false})
+        if (!doubts.seam && !doubts.dam) find_seam(ground, path, cell_size, along_rows, doubts);
     if (!doubts.rough) find_houses(ground, taken, cell_size, doubts);
     return doubts;
 }

@@ -71,11 +71,13 @@ void name_columns(const SceneReading& reading, const gis::PolygonLayer& layer, s
     }
 }
 
-/// The value of a feature; warns of one that is unusual.
+/// The value of a feature; warns of one that is unusual, if a law uses it.
 std::optional<double> zone_value(const SceneReading& reading, const Quantity& quantity, const gis::PolygonLayer& layer,
                                  std::size_t feature, RunLog& log, Problems& problems) {
     const auto value = value_of(reading, quantity.key->name, *quantity.source, layer, feature, problems);
-    if (const auto warning = value ? implausible(quantity.key->name, *value) : std::nullopt) log.warn(*warning);
+    const bool is_used = !readers_of(quantity.key->name, laws_of(reading.scene)).empty();
+    if (const auto warning = value && is_used ? implausible(quantity.key->name, *value) : std::nullopt)
+        log.warn(*warning);
     return value;
 }
 

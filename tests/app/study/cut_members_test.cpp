@@ -91,7 +91,7 @@ TEST_F(Ensemble, AFieldOfErrorIsWhatThePolynomialsDoNotExplain) {
         }
     }
     EXPECT_GT(fields, 0);
-    EXPECT_EQ(fields, rests);
+    EXPECT_GE(rests, fields);
     EXPECT_FALSE(fs::exists(path("out/sensitivity_terrain.error.tif")));
 }
 

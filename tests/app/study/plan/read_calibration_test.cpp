@@ -155,7 +155,7 @@ material.turbulence = uniform(100, 200)
 key = 1
 )");
     const std::vector<Problem>& all = reading.problems.list();
-    EXPECT_EQ(all.size(), 23U);
+    EXPECT_EQ(all.size(), 22U);
     EXPECT_TRUE(has_problem(all, "study.samples", "1", "2 to 1000000"));
     EXPECT_TRUE(has_problem(all, "study.refine", "100"));
     EXPECT_TRUE(has_problem(all, "study.coarse", "2"));
