@@ -261,6 +261,7 @@ void find_blurred_blocks(const Raster& ground, const Raster& path, std::int64_t 
 struct Step {
     double across = 0, along = 0;  ///< place [cells]
     double height = 0;             ///< [m]
+    bool on_path = false;
 };
 
 std::vector<Step> steps_across(const Lines& z, const Lines& on, double least) {
@@ -273,26 +274,28 @@ std::vector<Step> steps_across(const Lines& z, const Lines& on, double least) {
     for (std::int64_t line = 0; line < z.count(); ++line) {
         for (std::int64_t i = 4; i + 4 < z.length(); ++i) {
             const double here = height(line, i);
-            if (!(on(line, i) > 0) || !(std::abs(here) >= least)) continue;
+            if (!(std::abs(here) >= least)) continue;
             if (std::abs(here) < std::abs(height(line, i - 1)) || !(std::abs(here) > std::abs(height(line, i + 1))))
                 continue;
             if (std::abs(rise(line, i + 2) - rise(line, i - 2)) * k_over_bend > std::abs(here)) continue;
-            steps.push_back({static_cast<double>(i), static_cast<double>(line), here});
+            const bool on_path = on(line, i) > 0 || on(line, i - 1) > 0;  // a wall is beside it
+            steps.push_back({static_cast<double>(i), static_cast<double>(line), here, on_path});
         }
     }
     return steps;
 }
 
-/// The longest row of steps of about one height on a line across + slope along = offset.
+/// The longest row of steps of about one height on a line across + slope along = offset, of which some are on the path.
 std::optional<GroundDoubts::Seam> row_of_steps(const std::vector<Step>& steps, double slope, double offset) {
-    constexpr double k_wide = 1.5, k_gap = 3, k_least = 32, k_filled = 0.7, k_change = 0.35;
+    constexpr double k_wide = 1.5, k_gap = 3, k_filled = 0.7, k_change = 0.35;
+    constexpr double k_least = 32, k_least_along_grid = 24;  // which is less often by chance
     std::optional<GroundDoubts::Seam> longest;
     double first = 0, last = -HUGE_VAL, sum = 0, change = 0, before = 0;
-    std::int64_t count = 0;
+    std::int64_t count = 0, on_path = 0;
     const auto finish = [&] {
-        const double length = last - first + 1;
-        if (length >= k_least && static_cast<double>(count) > k_filled * length && change < k_change * std::abs(sum) &&
-            (!longest || length > longest->length)) {
+        const double length = last - first + 1, least = std::abs(slope) * length < 1 ? k_least_along_grid : k_least;
+        if (on_path > 0 && length >= least && static_cast<double>(count) > k_filled * length &&
+            change < k_change * std::abs(sum) && (!longest || length > longest->length)) {
             const double middle = (first + last) / 2;
             longest = {std::abs(sum) / static_cast<double>(count), length, {offset + slope * middle, middle}};
         }
@@ -303,7 +306,7 @@ std::optional<GroundDoubts::Seam> row_of_steps(const std::vector<Step>& steps, d
             finish();
             first = step.along;
             sum = change = 0;
-            count = 0;
+            count = on_path = 0;
         } else {
             change += std::abs(step.height - before);
         }
@@ -311,6 +314,7 @@ std::optional<GroundDoubts::Seam> row_of_steps(const std::vector<Step>& steps, d
         before = step.height;
         sum += step.height;
         ++count;
+        on_path += step.on_path ? 1 : 0;
     }
     finish();
     return longest;
@@ -324,10 +328,13 @@ void find_seam(const Raster& ground, const Raster& path, double cell_size, bool 
     const Lines z(ground, along_rows), on(path, along_rows);
     const std::vector<Step> steps = steps_across(z, on, 1 + 0.1 * cell_size);
     std::pair<int, std::int64_t> best{};
-    std::size_t most = 0;
+    std::size_t most = 0, looked_at = 0;
     for (int s = -k_slopes; s <= k_slopes; ++s) {
         std::map<std::int64_t, std::size_t> counts;
+        looked_at = 0;
         for (const Step& step : steps) {
+            if (!step.on_path) continue;
+            ++looked_at;
             const std::int64_t offset = std::llround(step.across - s * step.along / k_slopes);
             if (const std::size_t count = ++counts[offset]; count > most) {
                 most = count;
@@ -335,7 +342,7 @@ void find_seam(const Raster& ground, const Raster& path, double cell_size, bool 
             }
         }
     }
-    if (most == 0 || steps.size() > k_most_others * most) return;  // steps all over are rough ground
+    if (most == 0 || looked_at > k_most_others * most) return;  // steps all over are rough ground
     auto seam = row_of_steps(steps, static_cast<double>(best.first) / k_slopes, static_cast<double>(best.second));
     if (!seam) return;
     seam->place = centre_of(ground.grid, z.cell(std::llround(seam->place.y), std::llround(seam->place.x)));

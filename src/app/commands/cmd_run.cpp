@@ -188,13 +188,12 @@ std::optional<AccuracyRecord> completed_record(const std::optional<AccuracyRecor
 
 /// Names the gauges that stayed dry: they may lie beside the channel.
 void log_dry_gauges(const RunResult& result, const Scene& scene, RunLog& log) {
-    std::vector<bool> is_wet(scene.recording.gauges.size());
+    std::vector<std::string> dry;
+    for (const Gauge& gauge : scene.recording.gauges) dry.push_back(gauge.name);
     for (const GaugeRow& row : result.gauges)
-        if (row.depth > scene.numerics.minimum_depth) is_wet[row.gauge] = true;
-    std::string dry;
-    for (std::size_t i = 0; i < is_wet.size(); ++i)
-        if (!is_wet[i]) dry += (dry.empty() ? "" : ", ") + scene.recording.gauges[i].name;
-    if (!dry.empty()) log.info("gauges not reached: " + dry);
+        if (row.depth > scene.numerics.minimum_depth) dry[row.gauge].clear();
+    std::erase(dry, "");
+    if (!dry.empty()) log.info("gauges not reached: " + joined(dry, ", "));
 }
 
 void log_run(const RunResult& result, double end, RunLog& log) {

@@ -11,7 +11,6 @@
 #include "app/input/memory_bound.h"
 #include "app/pictures/animation.h"
 #include "app/process/terminal.h"
-#include "app/store/frame_store.h"
 #include "app/text/number_text.h"
 #include "core/error.h"
 #include "core/text.h"

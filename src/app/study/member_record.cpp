@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <utility>
 
 #include "analysis/ground_statistics.h"
 #include "core/archive.h"

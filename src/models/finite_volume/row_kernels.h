@@ -231,7 +231,8 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
     const Quad hb = at(b.depth), hc = at(c.depth), zb = at(b.bed), zc = at(c.bed), dz = zc - zb, surface_b = hb + zb,
                surface_c = hc + zc;
     // Flow that goes down, or is fast enough to climb, has one bed at a face where the beds of both cells, each with
-    // its own slope, cross: the higher one would dam it, or hold what friction does not.
+    // its own slope, cross: the higher one would dam it. So has thin flow that runs down faster than its waves: it
+    // keeps the energy of the fall, which at a step is lost.
     const auto rises = dz > 0;
     const Quad upper = select(rises, hc, hb), towards = select(rises, at(b.speed), -at(c.speed));
     const auto pours = (upper > v.dry) & ((surface_c - surface_b) * dz > 0.5 * dz * dz);

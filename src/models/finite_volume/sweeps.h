@@ -251,11 +251,9 @@ class Sweeps {
         for (const auto& sweep : laws_.friction.sweeps) sweep(range, s_.nodes, s_.bed_states.data());
         if (dt > 0)
             range.for_each(c_.stride, [&](std::size_t k, std::int64_t, std::int64_t) {
-                BedState& bed = s_.bed_states[k];
                 const double share = c_.depth[k] > v_.dry ? friction_share(c_.before[k], c_.depth[k]) : 1;
-                bed.yield *= share;
-                bed.linear *= share;
-                bed.square *= share;
+                for (double BedState::*part : {&BedState::yield, &BedState::linear, &BedState::square})
+                    s_.bed_states[k].*part *= share;
             });
     }
     [[nodiscard]] std::size_t index(std::int64_t i, std::int64_t j) const {

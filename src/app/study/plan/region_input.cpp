@@ -2,7 +2,6 @@
 #include "app/study/plan/region_input.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "analysis/hazard.h"

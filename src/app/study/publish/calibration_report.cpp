@@ -2,7 +2,6 @@
 #include "app/study/publish/publish_calibration.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "analysis/trace.h"

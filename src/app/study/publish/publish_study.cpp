@@ -2,7 +2,6 @@
 #include "app/study/publish/publish_study.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <map>
