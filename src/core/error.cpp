@@ -83,10 +83,6 @@ std::string join(const std::vector<Problem>& problems) {
 
 }  // namespace
 
-Place::Place(const char* words) : text(words) {
-    if (text.starts_with("--")) option = text.substr(0, text.find(' '));
-}
-
 Place Place::given(const std::string& before, const std::string& of_key) {
     Place place(before.c_str());
     place.text += of_key;

@@ -47,7 +47,9 @@ struct Place {
     /// A file.
     Place(std::string path) : text(path), file(std::move(path)) {}  // NOLINT(google-explicit-constructor)
     /// An option, "--threads", or words: "command line".
-    Place(const char* words);  // NOLINT(google-explicit-constructor)
+    Place(const char* words) : text(words) {  // NOLINT(google-explicit-constructor)
+        if (text.starts_with("--")) option = text.substr(0, text.find(' '));
+    }
     /// A key in a file.
     Place(const std::string& in_file, const std::string& of_key)
         : text(in_file + ": " + of_key), file(in_file), key(of_key) {}
