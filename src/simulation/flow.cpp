@@ -10,6 +10,7 @@
 #include "mpm/shape.h"
 #include "mpm/shown_depth.h"
 #include "mpm/update_nodes.h"
+#include "physics/friction_coulomb.h"
 #include "simulation/dispatch.h"
 #include "simulation/release.h"
 #include "simulation/scene.h"

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "mpm/update_nodes.h"
-#include "physics/laws.h"
+#include "physics/kernel_laws.h"
 
 namespace frana::finite_volume {
 

@@ -6,7 +6,7 @@
 
 #include "mpm/node_friction.h"
 #include "mpm/node_grid.h"
-#include "physics/laws.h"
+#include "physics/kernel_laws.h"
 #include "physics/pore_pressure.h"
 
 namespace frana::voellmy_bingham {

@@ -16,7 +16,7 @@
 #include "particles/particle_set.h"
 #include "particles/resample.h"
 #include "particles/tile_order.h"
-#include "physics/laws.h"
+#include "physics/kernel_laws.h"
 
 namespace frana::voellmy_bingham {
 

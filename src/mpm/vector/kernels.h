@@ -3,7 +3,7 @@
 
 #include "mpm/nodes_to_particles.h"
 #include "mpm/update_nodes.h"
-#include "physics/laws.h"
+#include "physics/kernel_laws.h"
 
 namespace frana {
 
