@@ -315,7 +315,7 @@ Flow::Snapshot Flow::snapshot() {
         shot.depth.values[c] = depth;
         shot.speed.values[c] = speed_along_bed(node, {u, v});
     });
-    hold_volume(shot.depth);
+    if (ended_) hold_volume(shot.depth);
     return shot;
 }
 

@@ -110,6 +110,7 @@ class Flow final : public Model {
     [[nodiscard]] double speed_along_bed(std::size_t node, Point v) const;
     /// Of the particles; it does not change what follows: velocities remain those of the last motion.
     [[nodiscard]] Snapshot snapshot() override;
+    void end() override { ended_ = true; }
     [[nodiscard]] PointTable particle_table() const override;
     void add_to(RunResult& result) const override;
     /// Depth and momentum (h u, h v) at every node, zero where dry, for comparison with exact solutions.
@@ -130,8 +131,8 @@ class Flow final : public Model {
     /// Everything that changes during a step.
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [grid, numerics, pool, stages, state, laws, maxima, origins, steps, particle_steps] =
-            *this;
+        [[maybe_unused]] auto& [grid, numerics, pool, stages, state, laws, maxima, origins, steps, particle_steps,
+                                ended] = *this;
         archive(state, maxima, steps, particle_steps);
     }
 
@@ -151,6 +152,7 @@ class Flow final : public Model {
     Maxima maxima_;
     FrontOrigins origins_{Point{}};
     std::int64_t steps_ = 0, particle_steps_ = 0;
+    bool ended_ = false;
 };
 
 }  // namespace frana

@@ -133,6 +133,8 @@ class Model {
         Raster depth, speed;
     };
     [[nodiscard]] virtual Snapshot snapshot() = 0;
+    /// The run ends here: snapshots hold the volume of what they show. Before, they are within the maxima.
+    virtual void end() {}
     /// Rasters of the present state besides depth and speed (params/keys/result_rasters.h describes each).
     [[nodiscard]] virtual std::vector<NamedRaster> more_rasters() const { return {}; }
     /// Returns the particles in their present state, for files: depth_m, bed_m, speed_ms, velocity_x_ms, velocity_y_ms,

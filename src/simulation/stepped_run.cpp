@@ -390,6 +390,7 @@ void SteppedRun::advance() {
 
 RunResult SteppedRun::finish() {
     model_->nodes().require_ground();  // after the last state was saved
+    model_->end();
     RunResult& result = result_;
     const bool finite = result.hard_events.non_finite == 0;
     if (model_->time() != last_frame_ || result.stop_reason != StopReason::requested) write_frame_now();

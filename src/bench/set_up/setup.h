@@ -59,15 +59,18 @@ ParticleSet fill_lattice(const GridSpec& grid, int per_side, double jitter, cons
 
 /// Gives each key that a law of a list needs and the material lacks a value within its limits, so that every law can be
 /// built.
-template <class List, class Values>
-void give_needed_keys(Values& values) {
+template <class List>
+void give_needed_keys(LawValues& of_laws) {
     List::for_each([&]<class Law>() {
-        for_each_key<Law>([&](const auto& key) {
-            if constexpr (requires { values.*key.member = key.range.highest; }) {
-                if (key.needed() && !(values.*key.member))
-                    values.*key.member = std::sqrt(key.range.highest * std::fmax(key.range.lowest, 1e-3));
-            }
-        });
+        if constexpr (requires { typename Law::Values; }) {
+            typename Law::Values& values = of_laws.of<Law>();
+            for_each_key<Law>([&](const auto& key) {
+                if constexpr (requires { values.*key.member = key.range.highest; }) {
+                    if (key.needed() && !(values.*key.member))
+                        values.*key.member = std::sqrt(key.range.highest * std::fmax(key.range.lowest, 1e-3));
+                }
+            });
+        }
     });
 }
 
