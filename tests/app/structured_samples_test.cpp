@@ -139,10 +139,10 @@ constexpr double k_loss_digits = 0.006, k_length_digits = 1;
 TEST(FractureSample, TwoBBreaksAndItsPartsSeparate) {
     SampleRun run("fracture/2b.ini", "20");
     EXPECT_NEAR(run.at(5).lost, 0.11, k_loss_digits);
-    EXPECT_NEAR(run.at(14).length, 266, k_length_digits);
+    EXPECT_NEAR(run.at(14).length, 265, k_length_digits);
     const Statistics late = run.at(24);
-    EXPECT_NEAR(late.lost, 0.17, k_loss_digits);
-    EXPECT_NEAR(late.length, 554, k_length_digits);  // 193 m at the start
+    EXPECT_NEAR(late.lost, 0.18, k_loss_digits);
+    EXPECT_NEAR(late.length, 555, k_length_digits);  // 193 m at the start
     EXPECT_NEAR(late.apart, 6.4, 0.1);
     breaks_where_it_yields(late);
 }
@@ -170,7 +170,7 @@ TEST(FractureSample, ThreeAKeepsItsShape) {
 TEST(FractureSample, ThreeBBreaksMostlyInTheValley) {
     SampleRun run("fracture/3b.ini", "20");
     EXPECT_EQ(run.at(14).lost, 0);
-    EXPECT_NEAR(run.at(24).lost, 0.81, k_loss_digits);
+    EXPECT_NEAR(run.at(24).lost, 0.86, k_loss_digits);
     EXPECT_GT(run.at(40).lost, 0.995);
     EXPECT_EQ(SampleRun("fracture/3b.ini", "20", {"structured.cohesion=83500"}).at(14).lost, 0);
     EXPECT_GT(SampleRun("fracture/3b.ini", "20", {"structured.cohesion=83000"}).at(14).lost, 0.8);
@@ -184,15 +184,15 @@ TEST(FractureSample, ThreeCBreaksAtOnceTogetherWithItsWater) {
     for (const double time : {8.0, 14.0, 20.0, 24.0}) EXPECT_LT(run.at(time).apart, 3) << time << " s";
 }
 
-// On cells of 20, 12.5 and 10 m the same is lost within a seventh: damage has a length. How far apart the parts are
-// follows the cells until the block has parted.
+// On cells of 20, 12.5 and 10 m the same is lost within a seventh in the valley, within a third by 2B: damage has a
+// length. How far apart the parts are follows the cells until the block has parted.
 TEST(FractureSample, DependenceOnTheCells) {
     struct Row {
         const char* cell;
         double third_c, third_b, second_b, length;
     };
-    // On 20 m they are those of the tests above: 0.68, 0.81, 0.17 and 266 m.
-    for (const Row& row : {Row{"12.5", 0.655, 0.80, 0.19, 290}, Row{"10", 0.65, 0.81, 0.17, 298}}) {
+    // On 20 m they are those of the tests above: 0.68, 0.86, 0.18 and 265 m.
+    for (const Row& row : {Row{"12.5", 0.655, 0.86, 0.225, 288}, Row{"10", 0.65, 0.86, 0.17, 296}}) {
         SampleRun three_c("fracture/3c.ini", row.cell), three_b("fracture/3b.ini", row.cell),
             two_b("fracture/2b.ini", row.cell);
         EXPECT_NEAR(three_c.at(2).lost, row.third_c, k_loss_digits) << row.cell;
