@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "physics/laws.h"
 #include "support/problems.h"
 
 namespace frana::app::study {
@@ -56,11 +55,11 @@ time.end = 100
 time.end = 200
 [vary]
 material.friction-angle = uniform(10, 30)
-material.of<TurbulentFriction>().turbulence = log-uniform(100, 1000)
+material.turbulence = log-uniform(100, 1000)
 [vary south]
 release.volume = uniform(1000, 3000)
 [correlate]
-material.friction-angle material.of<TurbulentFriction>().turbulence = -0.3
+material.friction-angle material.turbulence = -0.3
 )";
 
 void expect_two_events(const CalibrationSpec& spec) {
@@ -151,7 +150,7 @@ material.friction-angle = uniform(10, 95)
 material.turbulense = uniform(1, 2)
 material.friction-angle = uniform(1, 2)
 [vary nobody]
-material.of<TurbulentFriction>().turbulence = uniform(100, 200)
+material.turbulence = uniform(100, 200)
 [more]
 key = 1
 )");
