@@ -251,10 +251,10 @@ State::State(NodeGrid& grid) : nodes(grid), tiles(tiles_on(grid)), edges(nodes.s
 }
 
 Cells State::cells(Maxima* maxima) {
-    // Without maxima those go where a step no longer reads.
-    ZeroArray<double>&max_depth = maxima != nullptr ? maxima->depth : pull_x,
-    &max_speed = maxima != nullptr ? maxima->speed : pull_y,
-    &arrival = maxima != nullptr ? maxima->arrival_plus_1 : bound;
+    // Without maxima those go where a step no longer reads: the predictor is past.
+    ZeroArray<double>&max_depth = maxima != nullptr ? maxima->depth : slowed_x,
+    &max_speed = maxima != nullptr ? maxima->speed : slowed_y,
+    &arrival = maxima != nullptr ? maxima->arrival_plus_1 : spare;
     return {depth.data(),   qx.data(),        qy.data(),           bed.data(),          slope_x.data(),
             slope_y.data(), root.data(),      curvature_xx.data(), curvature_xy.data(), curvature_yy.data(),
             weight.data(),  slowed_x.data(),  slowed_y.data(),     pull_x.data(),       pull_y.data(),
