@@ -114,7 +114,7 @@ class Sweeps {
                 const std::size_t first = index(strip.region.i0, j), before = first - 2;
                 kernels_.read_row(c_, before, count + 4, c_.depth + before, c_.qx + before, c_.qy + before, false,
                                   v_.dry, work.rows[0]);
-                if (laws_.keeps_lakes && !laws_.wall) {
+                if (!laws_.wall) {
                     for (int n = 1; n <= 2; ++n) {
                         if (strip.region.i0 == k_ghost) continue_beyond(row, 1, row, 2, n, -1, moved(row, -n), 1);
                         if (strip.region.i1 == s_.nodes.stride() - k_ghost)
@@ -411,7 +411,7 @@ class Sweeps {
         };
         // The row beyond an open edge that is n rows from it.
         const auto continue_row = [&](std::int64_t edge, int out, int n) {
-            if (!laws_.keeps_lakes || laws_.wall) return;
+            if (laws_.wall) return;
             for (std::size_t q = 0; q < count; ++q)
                 continue_beyond(row(edge), q, row(edge - out), q, n, out, row(edge + n * out), q);
         };
