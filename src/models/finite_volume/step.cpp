@@ -126,8 +126,10 @@ std::vector<Region> regions_within(std::int64_t reach, const State& s) {
         for (std::int64_t y = std::max<std::int64_t>(b - 1, 0); y <= std::min(b + 1, down - 1); ++y)
             for (std::int64_t x = std::max<std::int64_t>(a - 1, 0); x <= std::min(a + 1, across - 1); ++x) {
                 const NodeRange near(y * across + x, s.tiles, s.nodes);
-                const Region part{std::max({near.i0, r.i0 - reach, k_ghost}),
-                                  std::min({near.i1, r.i1 + reach, s.nodes.stride() - k_ghost}),
+                // Whole groups of four cells: the kernels take four at a time.
+                const std::int64_t first = near.i0 + (std::max(r.i0 - reach - near.i0, std::int64_t{0}) & ~3),
+                                   last = near.i0 + ((r.i1 + reach - near.i0 + 3) & ~3);
+                const Region part{std::max(first, k_ghost), std::min({near.i1, last, s.nodes.stride() - k_ghost}),
                                   std::max({near.j0, r.j0 - reach, k_ghost}),
                                   std::min({near.j1, r.j1 + reach, s.nodes.padded_rows() - k_ghost})};
                 if (part.i0 < part.i1 && part.j0 < part.j1) parts.push_back({y * across + x, part});
