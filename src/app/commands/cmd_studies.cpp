@@ -238,7 +238,7 @@ study::StudyOutcome publish(study::StudyInput& input, const MembersRun& ran, int
         return study::publish_calibration(input, *ran.calibration, threads, since_start, directory, log);
     input.base.result_folder = directory.target();
     if (input.spec().is_extensible()) study::join_records(directory.folder());
-    return study::publish_study({input, ran.members, ran.computed, threads, since_start}, directory, log);
+    return study::publish_study(input, ran.members, ran.computed, threads, since_start, directory, log);
 }
 
 /// Words for a kind of study in messages: itself, and what it runs.

@@ -306,9 +306,9 @@ void write_study_file(const StudyInput& input, const ResultDirectory& directory)
     write_text_file(directory.path(k_inputs_file), recorded_inputs(files, directory.target()));
 }
 
-StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& directory, RunLog& log) {
-    StudyInput& input = study.input;
-    StudyResult result = read_study_result(input, directory.folder(), study.members);
+StudyOutcome publish_study(StudyInput& input, std::size_t members, std::size_t computed, int threads,
+                           const Stopwatch& since_start, const ResultDirectory& directory, RunLog& log) {
+    StudyResult result = read_study_result(input, directory.folder(), members);
     StudyFacts facts;
     const bool is_region = input.reading.study.region.has_value();
     const StudyOutcome outcome = tell_of_runs(input, result.members, k_member_table, facts, log);
@@ -317,14 +317,14 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
         {"RUNS", std::to_string(result.finished_at.size()) + " of " + std::to_string(result.members.size())}};
     if (facts.troubles.any()) input.base.tags[k_lower_bound_item] = headline(facts.troubles).text();
     if (const auto scheme = common_scheme(input)) input.base.tags["SCHEME"] = word_of(*scheme, k_schemes);
-    facts.threads = study.threads;
-    facts.computed = study.computed;
+    facts.threads = threads;
+    facts.computed = computed;
     std::vector<FigureSensitivity> figures;
     const Bounds map = computed_ground(input);
     if (!result.finished_at.empty()) {
         choose_grid(input, result, log);
         // First of all: what it doubts stands on every map.
-        facts.scheme_check = check_scheme(input, result.members, result.weights(), study.threads);
+        facts.scheme_check = check_scheme(input, result.members, result.weights(), threads);
         if (facts.scheme_check)
             for (const auto& [name, value] : rows_of(*facts.scheme_check))
                 log.info(worded("{1}: {2}", {name, value}).text());
@@ -360,7 +360,7 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
     }
     std::optional<StudyComparison> comparison;
     if (!result.finished_at.empty()) comparison = compare_study(input, directory, log);
-    facts.wall_seconds = study.since_start.seconds();
+    facts.wall_seconds = since_start.seconds();
     facts.warnings += log.take_warnings();
     if (input.base.spec.output.report) write_study_report(input, result, facts, directory);
     if (comparison) renew_report(directory.folder(), comparison->scores, comparison->map);

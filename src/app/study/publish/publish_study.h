@@ -12,15 +12,6 @@
 
 namespace frana::app::study {
 
-/// What was done before a study is written.
-struct FinishedStudy {
-    StudyInput& input;
-    std::size_t members;   ///< that ran
-    std::size_t computed;  ///< of these in this session
-    int threads;
-    const Stopwatch& since_start;
-};
-
 struct StudyOutcome {
     bool too_many_failed = false;
     bool has_troubles = false;  ///< Troubles::any
@@ -36,7 +27,9 @@ void write_study_file(const StudyInput& input, const ResultDirectory& directory)
 
 /// Writes everything that follows from the members' records in the directory: rasters, tables, outlines, maps, charts,
 /// report.html, summary.json. Throws Error(environment).
-StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& directory, RunLog& log);
+/// @param members that ran  @param computed of these in this session
+StudyOutcome publish_study(StudyInput& input, std::size_t members, std::size_t computed, int threads,
+                           const Stopwatch& since_start, const ResultDirectory& directory, RunLog& log);
 
 /// Adds warnings and failed members, if there are any, to the report of a study and writes it.
 void end_page(const StudyInput& input, const std::string& title, const Table& failures, const StudyFacts& facts,
