@@ -8,11 +8,10 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <set>
-#include <tuple>
 #include <vector>
 
 #include "analysis/ground_statistics.h"
+#include "analysis/taken_path.h"
 
 namespace frana {
 namespace {
@@ -329,14 +328,15 @@ void find_seam(const Raster& ground, const Raster& path, double cell_size, bool 
     const std::vector<Step> steps = steps_across(z, on, 1 + 0.1 * cell_size);
     std::pair<int, std::int64_t> best{};
     std::size_t most = 0, looked_at = 0;
+    std::vector<std::size_t> counts(static_cast<std::size_t>(z.length() + 2 * z.count() + 1));  // by offset
     for (int s = -k_slopes; s <= k_slopes; ++s) {
-        std::map<std::int64_t, std::size_t> counts;
+        std::fill(counts.begin(), counts.end(), 0);
         looked_at = 0;
         for (const Step& step : steps) {
             if (!step.on_path) continue;
             ++looked_at;
             const std::int64_t offset = std::llround(step.across - s * step.along / k_slopes);
-            if (const std::size_t count = ++counts[offset]; count > most) {
+            if (const std::size_t count = ++counts[static_cast<std::size_t>(offset + z.count())]; count > most) {
                 most = count;
                 best = {s, offset};
             }
@@ -472,60 +472,6 @@ void find_rough(const Raster& ground, const Path& path, double cell_size, Ground
     doubts.rough = rough;
 }
 
-/// The part of the path that the flow takes: where water from its highest cells runs, over what dams it up, and as wide
-/// to both sides as the mass where it starts. The start is marked with 2. Finds narrow dams across it.
-Raster taken_path(const Raster& ground, const Raster& path, double cell_size, GroundDoubts& doubts) {
-    constexpr double k_dam = 5, k_narrow = 30, k_narrow_cells = 2.5;  // [m]
-    const GridSpec& grid = ground.grid;
-    std::set<std::tuple<double, std::size_t, std::size_t>> front;  // elevation, order, cell: where it came first
-    std::size_t order = 0;
-    constexpr auto k_untouched = std::numeric_limits<std::size_t>::max();
-    std::vector<std::size_t> from(Runs::cells(ground), k_untouched);  // the cell that water came from
-    Raster wide(grid);
-    double starts = 0;
-    path.values.for_each_stored([&](std::size_t cell, double on) {
-        if (!(on > 1) || std::isnan(ground.values[cell])) return;
-        starts += 1;
-        front.emplace(ground.values[cell], ++order, cell);
-        from[cell] = cell;
-    });
-    const auto side = static_cast<std::int64_t>(std::clamp(std::sqrt(starts) / 2, 2.0, 30.0));
-    const auto around = [&](std::size_t cell, std::int64_t by, const auto& visit) {
-        const auto row = static_cast<std::int64_t>(cell) / grid.columns,
-                   column = static_cast<std::int64_t>(cell) % grid.columns;
-        for (std::int64_t r = std::max<std::int64_t>(row - by, 0); r <= std::min(row + by, grid.rows - 1); ++r)
-            for (std::int64_t c = std::max<std::int64_t>(column - by, 0); c <= std::min(column + by, grid.columns - 1);
-                 ++c)
-                visit(ground.index(r, c));
-    };
-    const double narrow = std::max(k_narrow / cell_size, k_narrow_cells) * grid.cell_size;  // of the grid's unit
-    double floor = HUGE_VAL, level = HUGE_VAL;  // of the water where it is dammed up
-    // The lowest first, as water rises: it leaves the path at its lowest end.
-    for (bool ends = false; !front.empty() && !ends;) {
-        const auto [z, at, cell] = front.extract(front.begin()).value();
-        if (z < floor) {
-            const Point here = centre_of(grid, cell);
-            std::size_t crest = cell;
-            const auto is_near = [&](Point p) { return std::hypot(here.x - p.x, here.y - p.y) <= narrow; };
-            while (ground.values[crest] < level && from[crest] != crest && is_near(centre_of(grid, from[crest])))
-                crest = from[crest];
-            if (ground.values[crest] >= level && level - floor > std::max(k_dam, doubts.dam ? doubts.dam->height : 0))
-                doubts.dam = {level - floor, centre_of(grid, crest)};
-            floor = level = z;
-        }
-        level = std::max(level, z);
-        around(cell, side, [&](std::size_t i) { wide.values[i] = path.values[i] > 0 ? 1 : 0; });
-        around(cell, 1, [&](std::size_t i) {
-            if (std::isnan(ground.values[i])) return;
-            ends = ends || !(path.values[i] > 0);
-            if (from[i] != k_untouched) return;
-            from[i] = cell;
-            front.emplace(ground.values[i], ++order, i);
-        });
-    }
-    return wide;
-}
-
 }  // namespace
 
 GroundDoubts ground_doubts(const Raster& ground, const Raster& path, double cell_size) {
@@ -536,7 +482,7 @@ GroundDoubts ground_doubts(const Raster& ground, const Raster& path, double cell
     find_pits(ground, on, cell_size, doubts);
     if (!doubts.terraces) find_blurred_blocks(ground, path, on.size(), cell_size, doubts);
     if (doubts.blocks || doubts.terraces) return doubts;  // whose steps look like seams and roughness
-    const Path taken(taken_path(ground, path, cell_size, doubts));
+    const Path taken(taken_path(ground, path, cell_size, doubts.dam));
     find_rough(ground, taken, cell_size, doubts);
     if (doubts.rough) doubts.dam.reset();  // of trees
     for (const bool along_rows : {true, false})

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "models/structured/solid/column_state.h"
+#include "mpm/ground_slope.h"
 #include "simulation/scene.h"
 #include "simulation/structured_laws.h"
 
@@ -350,9 +351,8 @@ double StructuredFlow::fluid_speed(std::size_t cell) const {
 double StructuredFlow::solid_speed(std::size_t cell) const {
     if (!state_.solid || !(state_.solid->nodes.depth[cell] >= laws_.fluid.dry)) return 0;
     const double u = state_.solid->nodes.u[cell], v = state_.solid->nodes.v[cell];
-    const double* const bed = state_.grid.bed.data() + cell;
-    const double climb = laws_.fluid.steep ? climb_at(bed, state_.grid.stride(), 0.5 / grid_.cell_size, u, v) : 0;
-    return speed_along_bed(u, v, climb);
+    const Point slope = laws_.fluid.steep ? ground_slope(state_.grid, cell) : Point{};
+    return speed_along_bed(u, v, slope.x * u + slope.y * v);
 }
 
 double StructuredFlow::dynamic_pressure(std::size_t cell, double fluid, double solid) const {

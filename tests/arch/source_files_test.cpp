@@ -63,7 +63,7 @@ std::size_t lines_in(const std::string& folder) {
 
 // Lower it when the product has shrunk; what comes in makes its room elsewhere.
 TEST(SourceFiles, TheProductKeepsItsSumOfLines) {
-    constexpr std::size_t k_lines = 89623;
+    constexpr std::size_t k_lines = 89070;
     EXPECT_LE(lines_in("src") + lines_in("gis") + lines_in("render"), k_lines);
 }
 
@@ -112,8 +112,7 @@ TEST(SourceFiles, ARasterIsNamedInItsRowAndWhereItIsComputed) {
         "depth",        "dtm",           "elevation_change", "eroded_depth", "final_depth",
         "hazard",       "hazard_degree", "hit_count",        "jump_height",  "max_depth",
         "max_flux",     "max_head",      "max_pressure",     "max_velocity", "release",
-        "sensitivity",  "solid_depth",   "strain",           "uncertainty",  "velocity",
-        "worst_source"};
+        "solid_depth",  "strain",        "uncertainty",      "velocity",     "worst_source"};
     std::string table;
     for (const std::string& line : lines_of("src/params/keys/result_rasters.cpp")) table += line;
     const std::regex row(R"re((?:\.flow|\.add|phase|probability|for_values|of_all|of_scenario)\( *"([a-z_]+)")re");

@@ -94,27 +94,33 @@ std::optional<AccuracyLevel> compute_level(const SceneReading& reading, const Pr
     return failed_level(cell_size, "cannot be computed: " + error.problems().front().what);
 }
 
-std::optional<AccuracyRecord> choose_cells(const SceneReading& reading, const Prepared& finest, const RunLevel& run,
-                                           RunLog& log) {
+std::optional<AccuracyRecord> choose_cells(const SceneReading& reading, const Prepared& finest, Scheme coarse,
+                                           const RunLevel& run, RunLog& log) {
     AccuracyRecord record = begin_record(finest);
-    const std::vector<double> sizes = coarse_cell_sizes(finest);
     log.info("numerics.accuracy = " + percent_text(record.asked) +
              ": coarser levels first, the finest that may be needed is " + number_text(record.finest_cell_size) + " m");
     record.chosen_cell_size = record.finest_cell_size;
-    for (const double size : sizes) {
-        const auto level = compute_level(reading, finest, size, run);
+    SceneReading quick = reading;
+    quick.scene.numerics.scheme = coarse;
+    const bool is_own = coarse == reading.scene.numerics.scheme;
+    for (const double size : coarse_cell_sizes(finest)) {
+        const auto level = compute_level(quick, finest, size, run);
         if (!level) return std::nullopt;
         record.levels.push_back(*level);
-        if (!level->problem.empty()) {
-            log.note("cells of " + number_text(size) + " m " + level->problem);
-            continue;
+        if (!level->problem.empty()) log.note("cells of " + number_text(size) + " m " + level->problem);
+        if (!level->problem.empty() || !is_reached(value_estimates(record))) continue;
+        if (!is_own) {
+            // The last change contains what lies between the schemes.
+            const auto own = compute_level(reading, finest, size, run);
+            if (!own) return std::nullopt;
+            record.levels.back() = *own;
+            if (!own->problem.empty() || !is_reached(value_estimates(record))) {
+                record.levels.back() = *level;
+                continue;
+            }
         }
-        const std::vector<ValueEstimate> estimates = value_estimates(record);
-        if (estimates.empty()) continue;
-        if (is_reached(estimates)) {
-            record.chosen_cell_size = size;
-            break;
-        }
+        record.chosen_cell_size = size;
+        break;
     }
     log.info("levels computed:\n" + level_table(record) + "chosen: cells of " + number_text(record.chosen_cell_size) +
              " m");

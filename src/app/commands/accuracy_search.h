@@ -36,7 +36,8 @@ AccuracyLevel level_of(const RunResult& result, const Prepared& level, const Ras
 /// estimated errors of all reported_values() are within the requested accuracy. Otherwise chooses the scene's own
 /// cells: nothing is left unclaimed before these are computed. Skips a level that fails. Writes nothing. Returns
 /// nothing if a signal stopped it.
-std::optional<AccuracyRecord> choose_cells(const SceneReading& reading, const Prepared& finest, const RunLevel& run,
-                                           RunLog& log);
+/// @param coarse scheme of the coarser levels; the chosen one is computed by the scene's own
+std::optional<AccuracyRecord> choose_cells(const SceneReading& reading, const Prepared& finest, Scheme coarse,
+                                           const RunLevel& run, RunLog& log);
 
 }  // namespace frana::app

@@ -23,7 +23,6 @@
 #include "app/store/result_directory.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
-#include "app/study/plan/read_calibration.h"
 #include "app/study/plan/read_study.h"
 #include "app/text/number_text.h"
 #include "app/text/version.h"
@@ -158,17 +157,32 @@ std::vector<std::string> overrides(const boost::program_options::variables_map& 
     return all;
 }
 
+// The scheme of coarser levels: finite volumes where the scene allows them, at a fraction of the time.
+Scheme coarse_scheme(const SceneReading& reading, const std::vector<std::string>& set) {
+    const Scheme own = reading.scene.numerics.scheme;
+    if (own != Scheme::standard || reading.scene.material.model == "structured") return own;
+    std::vector<std::string> all = set;
+    all.push_back("numerics.scheme=" + word_of(Scheme::finite_volume, k_schemes));
+    try {
+        static_cast<void>(read_scene(reading.scene.file, all, share_directory()));
+    } catch (const Error&) {
+        return own;
+    }
+    return Scheme::finite_volume;
+}
+
 // Chooses the scene's cells for numerics.accuracy: those that an interrupted run had chosen, or by coarser runs. None:
 // a signal stopped it.
-std::optional<AccuracyRecord> put_on_cells(const SceneReading& reading, const CheckpointFile* from, int threads,
-                                           bool quiet, Prepared& prepared, RunLog& log) {
+std::optional<AccuracyRecord> put_on_cells(const SceneReading& reading, const std::vector<std::string>& set,
+                                           const CheckpointFile* from, int threads, bool quiet, Prepared& prepared,
+                                           RunLog& log) {
     const SceneVariants runs(reading.scene.file, {}, threads, quiet);
     std::optional<AccuracyRecord> record;
     if (from != nullptr) {
         record = record_from_text(from->head().accuracy);
     } else {
         record = choose_cells(
-            reading, prepared, [&](const Scene& scene) { return runs.run(scene); }, log);
+            reading, prepared, coarse_scheme(reading, set), [&](const Scene& scene) { return runs.run(scene); }, log);
     }
     RunLog silent(true);  // messages were given for the scene's own cells
     if (record && !record->is_finest()) prepared = prepare_level(reading, prepared, record->chosen_cell_size, silent);
@@ -281,9 +295,10 @@ void require_scene(const std::string& file) {
         throw Error(ErrorKind::input, Problem{"is " + what + ", not a scene", file, "", "",
                                               "`frana " + command + " " + file + "` runs it"});
     };
-    if (study::is_region(file)) refuse("a region of many slopes", "batch");
-    if (study::is_study(file)) refuse("a study of many runs", "ensemble");
-    if (study::is_calibration(file)) refuse("a calibration", "calibrate");
+    const auto kind = study::study_kind(file);
+    if (kind == study::StudyKind::region) refuse("a region of many slopes", "batch");
+    if (kind == study::StudyKind::ensemble) refuse("a study of many runs", "ensemble");
+    if (kind == study::StudyKind::calibration) refuse("a calibration", "calibrate");
 }
 
 int run_scene(const boost::program_options::variables_map& values, std::string& target, RunLog& log) {
@@ -341,7 +356,7 @@ int run_scene(const boost::program_options::variables_map& values, std::string& 
     catch_stop_signals();
     std::optional<AccuracyRecord> accuracy;
     if (prepared.spec.numerics.accuracy) {
-        accuracy = put_on_cells(reading, from.get(), threads, quiet, prepared, log);
+        accuracy = put_on_cells(reading, overrides(values), from.get(), threads, quiet, prepared, log);
         if (!accuracy) {
             log.info("stopped while coarser levels were computed: nothing was written, nothing can be resumed");
             return static_cast<int>(ExitCode::signal) + stop_signal();

@@ -236,8 +236,8 @@ Document accuracy_tables(const AccuracyRecord& record, const Words& words) {
     const ReportNumbers n(words);
     Table levels({words("cells [m]"), words("particles"), words("steps"), words("time [s]"), words("problem")});
     for (const AccuracyLevel& level : record.levels) {
-        levels.row({n(level.cell_size), n.grouped(level.particles), n.grouped(level.steps), n(level.wall_seconds, 3),
-                    level.problem});
+        levels.row({n(level.cell_size), level.particles > 0 ? n.grouped(level.particles) : words("finite volumes"),
+                    n.grouped(level.steps), n(level.wall_seconds, 3), level.problem});
     }
     Table values({words("value"), "", words("estimated error"), words("trend"), words("claimed")});
     for (const ValueEstimate& e : value_estimates(record)) {

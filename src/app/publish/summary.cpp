@@ -178,8 +178,8 @@ std::string level_table(const AccuracyRecord& record) {
     for (const AccuracyLevel& level : record.levels) {
         text += "  cells of " + cells(level.cell_size) + ": ";
         if (level.problem.empty()) {
-            text += grouped(level.particles) + " particles, " + grouped(level.steps) + " steps, " +
-                    number_text(level.wall_seconds, 3) + " s\n";
+            text += (level.particles > 0 ? grouped(level.particles) + " particles, " : "finite volumes, ") +
+                    grouped(level.steps) + " steps, " + number_text(level.wall_seconds, 3) + " s\n";
         } else {
             text += level.problem + "\n";
         }

@@ -60,6 +60,12 @@ struct CellRow {
     static constexpr int k_arrays = 9;
 };
 
+/// The states of a row of cells at their faces before or after them: h, velocities as in CellRow, elevation of the bed.
+struct SideRow {
+    double *depth, *speed, *normal, *tangential, *bed;
+    static constexpr int k_arrays = 5;
+};
+
 /// Fluxes through a row of faces; pressure over g' and height of the bed at the face above that of the cell, as seen
 /// from the cell below and above it.
 struct FaceRow {
@@ -84,9 +90,13 @@ struct RowKernels {
     /// @param depth, qx, qy of the row's first cell, which may be copies
     void (*read_row)(const Cells&, std::size_t first, std::size_t count, const double* depth, const double* qx,
                      const double* qy, bool along_y, double dry, const CellRow&);
-    /// The faces between cells of rows b and c; a before b, d after c. In a row itself all are that row, moved.
-    void (*faces)(const CellRow& a, const CellRow& b, const CellRow& c, const CellRow& d, std::size_t count,
-                  const StepValues&, const FaceRow&);
+    /// The states of the cells of row b half a step later at both their faces; a before b, c after it. In a row itself
+    /// all are that row, moved. This and `faces` go on to the next multiple of four cells.
+    void (*sides)(const CellRow& a, const CellRow& b, const CellRow& c, std::size_t count, const StepValues&,
+                  const SideRow& before, const SideRow& after);
+    /// The faces between cells of rows b and c, whose states there are `below` and `above`; a before b, d after c.
+    void (*faces)(const CellRow& a, const CellRow& b, const CellRow& c, const CellRow& d, const SideRow& below,
+                  const SideRow& above, std::size_t count, const StepValues&, const FaceRow&);
     void (*update)(const Cells&, std::size_t first, std::size_t count, bool along_y, const StepValues&,
                    const FaceRow& before, const FaceRow& after);
     void (*finish)(const Cells&, std::size_t first, std::size_t count, const StepValues&, const Uniform&, StripTotals&);

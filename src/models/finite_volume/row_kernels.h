@@ -195,17 +195,14 @@ FRANA_INLINE void read_cells(const Cells& c, std::size_t k, std::size_t q, std::
     put(select(held > 0.5, Quad(1e9), at(c.spare)), row.spare);
 }
 
-struct Side {
-    Quad depth, speed, normal, tangential, bed;
-};
-/// A cell's state at its face half a step later (MUSCL-Hancock; van Leer 1979, J. Comput. Phys. 32, 101).
+/// A cell's states at its faces half a step later (MUSCL-Hancock; van Leer 1979, J. Comput. Phys. 32, 101).
 ///
 /// The bed has a slope of its own, which does not change with the flow, and the depth that of the surface less the
 /// bed's: with slopes of depth and surface limited each for itself the bed at the face would move with every ripple,
 /// and lakes over rough ground would begin to swing.
-/// @param a, b, c the cell before, the cell, the cell after  @param side +1/2: the face after it
-FRANA_INLINE Side side_of(const CellRow& a, const CellRow& b, const CellRow& c, std::size_t q, std::size_t n,
-                          double side, double half, double dry) {
+/// @param a, b, c the cell before, the cell, the cell after
+FRANA_INLINE void sides_of(const CellRow& a, const CellRow& b, const CellRow& c, std::size_t q, std::size_t n,
+                           double half, double dry, const SideRow& before, const SideRow& after) {
     using L = Lanes<Quad>;
     const auto at = [&](const double* from) FRANA_INLINE_LAMBDA { return L::load(from + q, n); };
     const auto none = [](Quad::Mask m) FRANA_INLINE_LAMBDA { return L::none(m); };
@@ -229,16 +226,27 @@ FRANA_INLINE Side side_of(const CellRow& a, const CellRow& b, const CellRow& c, 
     // What friction holds is not pulled: it would flow out at the speed of half a step's fall.
     const Quad pull = half * select(at(b.closed) > 0.5, zero,
                                     select(level, 0.5 * (shared_c * up + shared_a * down) / max(h, Quad(dry)), rise));
-    return {max(zero, h + side * dh - gain), u + side * du - half * u * du - at(b.weight) * pull,
-            wn + side * dn - half * u * dn - at(b.drive) * pull, wt + side * dt - half * (u * dt),
-            z + side * (rise - dh)};
+    const auto put = [&](double side, const SideRow& to) FRANA_INLINE_LAMBDA {
+        L::store(max(zero, h + side * dh - gain), to.depth + q, n);
+        L::store(u + side * du - half * u * du - at(b.weight) * pull, to.speed + q, n);
+        L::store(wn + side * dn - half * u * dn - at(b.drive) * pull, to.normal + q, n);
+        L::store(wt + side * dt - half * (u * dt), to.tangential + q, n);
+        L::store(z + side * (rise - dh), to.bed + q, n);
+    };
+    put(-0.5, before);
+    put(0.5, after);
 }
+
+/// Ground between two cells whose rise beyond the slopes beside it is steeper than this is a wall (50 degrees): a bend
+/// of 45 degrees has half as much at each of its faces.
+constexpr double k_sharp = 1.2;
 
 /// The beds on which the flow of both sides meets at a face.
 struct FaceBeds {
     Quad below, above;  ///< [m]
     Quad step;          ///< from one to the other, each of its own cell [m]
     Quad leaps;         ///< 1 where the flow leaps from the higher to the lower, 0 elsewhere
+    Quad lands;         ///< 1 where it keeps the energy of its fall, turned by the ground, 0 elsewhere
 };
 
 /// Flow that goes down, or is fast enough to climb, has one bed at a face where the beds of both cells, each with its
@@ -257,25 +265,34 @@ FRANA_INLINE FaceBeds beds_of(const CellRow& a, const CellRow& b, const CellRow&
                from_above = min(high, max(low, bed_above)), middle = 0.5 * (from_below + from_above);
     const Quad from = select(rises, at(c.normal), at(b.normal)), up = select(rises, at(b.normal), -at(c.normal));
     const auto runs = (select(rises, -at(c.speed), at(b.speed)) > 0) & (from * from > v.gravity * upper);
-    const auto able = (towards > 0) & (0.5 * up * up > v.gravity * abs(dz));
-    const auto climbs = L::none(upper > v.dry) & able, mounts = able & (up * up > v.gravity * lower);
     const Quad step = from_above - from_below,
                corner = dz - 0.5 * (limited<Quad>(zb - at(a.bed), dz) + limited<Quad>(dz, at(d.bed) - zc));
+    // A wall, or the foot of a cliff: sharper than the flow is thick. It takes what is normal to it.
+    const auto sharp = (abs(corner) > k_sharp * v.cell_size) & (abs(dz) > max(hb, hc));
+    const auto able = (towards > 0) & (0.5 * up * up > v.gravity * abs(dz)) & L::none(sharp);
+    const auto climbs = L::none(upper > v.dry) & able, mounts = able & (up * up > v.gravity * lower);
     const auto passes = pours | climbs | mounts, free = passes & (runs | mounts) & (abs(dz) > max(hb, hc)),
-               leaps = free & (corner * dz > 0.5 * dz * dz) & (step * dz > 0),
+               leaps = free & (corner * dz > 0.5 * dz * dz) & (step * dz > 0), lands = leaps & L::none(sharp),
                one_bed = (passes & (0 > step * dz)) | (free & L::none(leaps));
-    return {select(one_bed, middle, from_below), select(one_bed, middle, from_above), step, select(leaps, one, zero)};
+    return {select(one_bed, middle, from_below), select(one_bed, middle, from_above), step, select(leaps, one, zero),
+            select(lands, one, zero)};
 }
 
 /// Faces between the cells of b and c: HLL for mass and normal momentum (Harten, Lax and van Leer 1983), the tangential
 /// one carried with the mass; hydrostatic reconstruction (Audusse et al. 2004, SIAM J. Sci. Comput. 25, 2050).
-FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow& c, const CellRow& d, std::size_t q,
-                               std::size_t n, const StepValues& v, const FaceRow& to) {
+FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow& c, const CellRow& d,
+                               const SideRow& row_below, const SideRow& row_above, std::size_t q, std::size_t n,
+                               const StepValues& v, const FaceRow& to) {
     using L = Lanes<Quad>;
     const auto at = [&](const double* from) FRANA_INLINE_LAMBDA { return L::load(from + q, n); };
-    const double half = 0.5 * v.dt / v.cell_size;
-    const Side below = side_of(a, b, c, q, n, 0.5, half, v.dry), above = side_of(b, c, d, q, n, -0.5, half, v.dry);
-    const Quad zero(0.0), one(1.0), tiny(1e-300);
+    struct Side {
+        Quad depth, speed, normal, tangential, bed;
+    };
+    const auto side = [&](const SideRow& row) FRANA_INLINE_LAMBDA {
+        return Side{at(row.depth), at(row.speed), at(row.normal), at(row.tangential), at(row.bed)};
+    };
+    const Side below = side(row_below), above = side(row_above);
+    const Quad zero(0.0), one(1.0), tiny(1e-100);
     const Quad hb = at(b.depth), hc = at(c.depth), zb = at(b.bed), zc = at(c.bed), dz = zc - zb;
     const FaceBeds beds = beds_of(a, b, c, d, q, n, v, below.bed, above.bed);
     const Quad bed_below = beds.below, bed_above = beds.above, step = beds.step, top = max(bed_below, bed_above);
@@ -303,8 +320,8 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
     const Quad slower = select(square > -waves, Quad(0.49), select(square > -4 * waves, Quad(0.15), Quad(0.01)));
     const Quad most = select(square > waves, select(square > 4 * waves, Quad(0.98), Quad(0.84)), slower);
     // Friction that is left over in a cell also stops what only the difference at the face would move.
-    const Quad least = max(abs(flux), Quad(1e-300)), spare = has * select(gives, at(b.spare), at(c.spare));
-    const Quad given = min(max(zero, 1 - spare / least), most * v.cell_size / v.dt * has / least);
+    const Quad per_flux = one / max(abs(flux), Quad(1e-300)), spare = has * select(gives, at(b.spare), at(c.spare));
+    const Quad given = min(max(zero, 1 - spare * per_flux), (v.cell_size / v.dt) * most * has * per_flux);
     const Quad mass = given * flux;
     const Quad push = 0.5 * inverse * (depth_above * depth_above - depth_below * depth_below);
     const auto put = [&](Quad value, double* where) FRANA_INLINE_LAMBDA { L::store(value, where + q, n); };
@@ -323,12 +340,13 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
     const auto forth = mass > 0;
     const Quad leaves = select(forth, below.normal, -above.normal), drop = select(forth, -step, step),
                arrives = sqrt(max(zero, leaves * leaves + 2 * v.gravity * drop));
-    const Quad gain = select(leaps, abs(mass) * (arrives - max(zero, leaves)), zero);
-    put(0.5 * below.depth * below.depth - slow * push + level / max(at(b.weight), tiny) +
-            select(forth, zero, gain / max(at(b.drive), tiny)),
+    const Quad gain = select(beds.lands > 0.5, abs(mass) * (arrives - max(zero, leaves)), zero) /
+                      max(select(forth, at(c.drive), at(b.drive)), tiny);
+    const Quad weight_below = max(at(b.weight), tiny), weight_above = max(at(c.weight), tiny),
+               per_weight = level / (weight_below * weight_above);
+    put(0.5 * below.depth * below.depth - slow * push + per_weight * weight_above + select(forth, zero, gain),
         to.pressure_below);
-    put(0.5 * above.depth * above.depth - fast * push + level / max(at(c.weight), tiny) +
-            select(forth, gain / max(at(c.drive), tiny), zero),
+    put(0.5 * above.depth * above.depth - fast * push + per_weight * weight_below + select(forth, gain, zero),
         to.pressure_above);
     put(bed_below - zb, to.step_below);
     put(bed_above - zc, to.step_above);
@@ -397,10 +415,18 @@ FRANA_INLINE void finish_cells(const Cells& c, std::size_t k, std::size_t n, con
     const Number share = friction_share<Number>(at(c.before), some);
     const Number slowed =
         friction.template speed_after<Number>(k, n, began, driven, held, step, root, supported * share, some / share);
+    // What passes the faces, along the flow: at the rim of a deposit waves may carry back all that the speed of a cell
+    // carries. Friction works over the way of what passes; where that is next to nothing, what it leaves is no motion.
+    const Number fluxed_x = at(c.pull_x), fluxed_y = at(c.pull_y),
+                 climb = (fluxed_x * slope_x + fluxed_y * slope_y) / (root + 1);
+    const Number passed = max(zero, tx * (fluxed_x + climb * slope_x) + ty * (fluxed_y + climb * slope_y)) /
+                          select(driven > 0, driven, one);
+    const auto stands = (0.5 * driven > slowed) & (0.01 * some * slowed > passed);
     // No cell is faster than the energy of those around it before the step allows.
     const Number energy = max(max(highest(-c.stride), highest(0)), highest(c.stride)) - v.gravity * at(c.bed);
     const Number speed =
-        min(slowed, sqrt(max(zero, 2 * energy)) + v.dt * (abs(Number(v.gravity_x)) + abs(Number(v.gravity_y))));
+        min(select(stands, zero, slowed),
+            sqrt(max(zero, 2 * energy)) + v.dt * (abs(Number(v.gravity_x)) + abs(Number(v.gravity_y))));
     const Number left = select(driven > 0, speed / select(driven > 0, driven, one), zero);
     wx = tx * left;
     wy = ty * left;
@@ -425,12 +451,6 @@ FRANA_INLINE void finish_cells(const Cells& c, std::size_t k, std::size_t n, con
     to_greatest(select(deep, speed, zero), totals.max_speed);
     to_greatest(select(wet, max(abs(moved.x), abs(moved.y)) + sqrt(v.wave_factor * at(c.weight) * h), zero),
                 totals.wave);
-    // Friction works over the way of what passes the faces: at the rim of a deposit waves may carry back all that the
-    // speed of a cell carries, and nothing moves.
-    const Number fluxed_x = at(c.pull_x), fluxed_y = at(c.pull_y),
-                 climb = (fluxed_x * slope_x + fluxed_y * slope_y) / (root + 1);
-    const Number passed = max(zero, tx * (fluxed_x + climb * slope_x) + ty * (fluxed_y + climb * slope_y)) /
-                          select(driven > 0, driven, one);
     to_sum((driven - slowed) * passed, totals.dissipated);
     to_sum(h * speed, totals.momentum);
     to_sum(select(passed > 0.5 * v.moving_speed * (h + at(c.before)), h, zero), totals.moving);
@@ -453,10 +473,14 @@ void read_row(const Cells& c, std::size_t first, std::size_t count, const double
         read_cells(c, first + q, q, n, depth, qx, qy, along_y, dry, row);
     });
 }
-void faces_of_row(const CellRow& a, const CellRow& b, const CellRow& c, const CellRow& d, std::size_t count,
-                  const StepValues& v, const FaceRow& to) {
-    for_chunks(0, count,
-               [&](std::size_t q, std::size_t n) FRANA_INLINE_LAMBDA { flow_through(a, b, c, d, q, n, v, to); });
+void sides_of_row(const CellRow& a, const CellRow& b, const CellRow& c, std::size_t count, const StepValues& v,
+                  const SideRow& before, const SideRow& after) {
+    const double half = 0.5 * v.dt / v.cell_size;
+    for (std::size_t q = 0; q < count; q += 4) sides_of(a, b, c, q, 4, half, v.dry, before, after);
+}
+void faces_of_row(const CellRow& a, const CellRow& b, const CellRow& c, const CellRow& d, const SideRow& below,
+                  const SideRow& above, std::size_t count, const StepValues& v, const FaceRow& to) {
+    for (std::size_t q = 0; q < count; q += 4) flow_through(a, b, c, d, below, above, q, 4, v, to);
 }
 void update_row(const Cells& c, std::size_t first, std::size_t count, bool along_y, const StepValues& v,
                 const FaceRow& before, const FaceRow& after) {
@@ -473,9 +497,15 @@ void finish_row(const Cells& c, std::size_t first, std::size_t count, const Step
     });
 }
 
-constexpr RowKernels k_row_kernels{
-    prepare_row<UniformFriction>, prepare_row<SummedFriction<NoExcess>>, hold_row, read_row, faces_of_row, update_row,
-    finish_row<UniformFriction>,  finish_row<SummedFriction<NoExcess>>};
+constexpr RowKernels k_row_kernels{prepare_row<UniformFriction>,
+                                   prepare_row<SummedFriction<NoExcess>>,
+                                   hold_row,
+                                   read_row,
+                                   sides_of_row,
+                                   faces_of_row,
+                                   update_row,
+                                   finish_row<UniformFriction>,
+                                   finish_row<SummedFriction<NoExcess>>};
 
 }  // namespace
 }  // namespace frana::finite_volume

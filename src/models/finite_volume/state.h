@@ -47,9 +47,7 @@ struct Laws {
     bool curved = true;     ///< with the load of the bed's curvature
     bool wall = false;      ///< at the edges of the terrain
     bool gap_is_wall = false;
-    bool flies = true;         ///< what would leave the ground is told of
-    bool level_lips = false;   ///< slopes of the bed are limited: what is at the lip of a step has not turned down
-    bool keeps_lakes = false;  ///< only what moves outwards leaves through open edges
+    bool flies = true;  ///< what would leave the ground is told of
     JumpRules jumps;
     voellmy_bingham::BedFriction friction;
     voellmy_bingham::PlaneStressLaw stress;

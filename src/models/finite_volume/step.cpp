@@ -10,27 +10,12 @@
 #include "models/finite_volume/jumps.h"
 #include "models/finite_volume/sweeps.h"
 #include "mpm/curvature.h"
+#include "mpm/ground_slope.h"
 
 namespace frana::finite_volume {
 namespace {
 
 constexpr std::int64_t k_reach = 3;  // cells beside moving ones that a step may set free or reach
-
-// Ground between the differences to the cells before and after it.
-struct Corner {
-    double slope;
-    double turn;  // its angle over the difference of the slopes
-};
-
-// The flow passes a sharp corner at a face: the cell keeps the slope of the flatter side, which at the lip of a cliff
-// is that of the ground before it. With the mean of both it would go down the cliff there, slow in map view and deep.
-Corner corner_between(double before, double after, double cell_size) {
-    const double a = before / cell_size, b = after / cell_size, mean = 0.5 * (a + b);
-    const double flatter = a * b > 0 ? (std::abs(a) < std::abs(b) ? a : b) : 0;
-    const double most = 0.25 * (1 + flatter * flatter);
-    const double turn = std::abs(b - a) > 1e-6 ? (std::atan(b) - std::atan(a)) / (b - a) : 1;
-    return {flatter + std::clamp(mean - flatter, -most, most), turn};
-}
 
 // Reads the bed with what lies on it.
 void read_bed(State& s, const Laws& laws, const NodeRange& range) {
@@ -42,19 +27,6 @@ void read_bed(State& s, const Laws& laws, const NodeRange& range) {
     });
 }
 
-// The slope of a cell by the monotonised mean of those on its two sides (van Leer 1977): 0 at the lip and at the foot
-// of a step, and elsewhere as node_slope.
-Point limited_slope(const NodeGrid& nodes, std::size_t k, std::int64_t i, std::int64_t j) {
-    const auto along = [&](bool inside, std::size_t step) {
-        if (!inside) return 0.0;
-        const double before = nodes.bed[k] - nodes.bed[k - step], after = nodes.bed[k + step] - nodes.bed[k];
-        const double least = std::min({2 * std::abs(before), 2 * std::abs(after), 0.5 * std::abs(before + after)});
-        return before * after > 0 ? std::copysign(least, after) / nodes.cell_size() : 0.0;
-    };
-    return {along(i > 0 && i < nodes.stride() - 1, 1),
-            along(j > 0 && j < nodes.padded_rows() - 1, static_cast<std::size_t>(nodes.stride()))};
-}
-
 // Reads what follows from the ground.
 void read_ground(State& s, const Laws& laws, const NodeRange& range) {
     const NodeGrid& nodes = s.nodes;
@@ -62,14 +34,11 @@ void read_ground(State& s, const Laws& laws, const NodeRange& range) {
     read_bed(s, laws, range);
     range.for_each(nodes.stride(), [&](std::size_t k, std::int64_t i, std::int64_t j) {
         const auto corner = [&](bool inside, std::int64_t next) {
-            const double* const z = nodes.bed.data() + k;
-            return inside ? corner_between(z[0] - z[-next], z[next] - z[0], nodes.cell_size()) : Corner{0, 1};
+            return inside ? corner_at(nodes, k, next) : Corner{0, 1};
         };
         const Corner x = corner(i > 0 && i < nodes.stride() - 1, 1),
                      y = corner(j > 0 && j < nodes.padded_rows() - 1, nodes.stride());
-        const Point slope = !laws.along_bed   ? Point{}
-                            : laws.level_lips ? limited_slope(nodes, k, i, j)
-                                              : Point{x.slope, y.slope};
+        const Point slope = laws.along_bed ? Point{x.slope, y.slope} : Point{};
         s.slope_x[k] = slope.x;
         s.slope_y[k] = slope.y;
         const double n = 1 + slope.x * slope.x + slope.y * slope.y;
@@ -157,8 +126,10 @@ std::vector<Region> regions_within(std::int64_t reach, const State& s) {
         for (std::int64_t y = std::max<std::int64_t>(b - 1, 0); y <= std::min(b + 1, down - 1); ++y)
             for (std::int64_t x = std::max<std::int64_t>(a - 1, 0); x <= std::min(a + 1, across - 1); ++x) {
                 const NodeRange near(y * across + x, s.tiles, s.nodes);
-                const Region part{std::max({near.i0, r.i0 - reach, k_ghost}),
-                                  std::min({near.i1, r.i1 + reach, s.nodes.stride() - k_ghost}),
+                // Whole groups of four cells: the kernels take four at a time.
+                const std::int64_t first = near.i0 + (std::max(r.i0 - reach - near.i0, std::int64_t{0}) & ~3),
+                                   last = near.i0 + ((r.i1 + reach - near.i0 + 3) & ~3);
+                const Region part{std::max(first, k_ghost), std::min({near.i1, last, s.nodes.stride() - k_ghost}),
                                   std::max({near.j0, r.j0 - reach, k_ghost}),
                                   std::min({near.j1, r.j1 + reach, s.nodes.padded_rows() - k_ghost})};
                 if (part.i0 < part.i1 && part.j0 < part.j1) parts.push_back({y * across + x, part});

@@ -20,14 +20,17 @@ void read_ground(State& s, const Laws& laws, const NodeRange& range);
 // The arrays of a strip's sweep, in its workspace.
 class Workspace {
   public:
-    Workspace(Strip& strip, std::int64_t width) : width_(static_cast<std::size_t>(width) + 8) {
-        const std::size_t arrays = 5 * CellRow::k_arrays + 2 * FaceRow::k_arrays + 24;
+    Workspace(Strip& strip, std::int64_t width) : width_(static_cast<std::size_t>(width) + 12) {
+        const std::size_t arrays = 5 * CellRow::k_arrays + 4 * SideRow::k_arrays + 2 * FaceRow::k_arrays + 24;
         if (strip.work.size() < arrays * width_) strip.work.resize(arrays * width_);
         next_ = strip.work.data();
         for (CellRow& row : rows)
             for (double** array : {&row.depth, &row.speed, &row.normal, &row.tangential, &row.weight, &row.drive,
                                    &row.bed, &row.closed, &row.spare})
                 *array = take();
+        for (auto& both : sides)
+            for (SideRow& row : both)
+                for (double** array : {&row.depth, &row.speed, &row.normal, &row.tangential, &row.bed}) *array = take();
         for (FaceRow& row : faces)
             for (double** array : {&row.mass, &row.normal, &row.tangential, &row.pressure_below, &row.pressure_above,
                                    &row.step_below, &row.step_above})
@@ -38,6 +41,7 @@ class Workspace {
             for (double*& array : row) array = take();
     }
     CellRow rows[5];
+    SideRow sides[2][2];  // of two rows, at the faces before and after them
     FaceRow faces[2];
     double* beyond[4][5];   // depth, qx, qy, carried of the two rows before and after the strip
     double* carried[2][2];  // through the faces
@@ -51,6 +55,9 @@ class Workspace {
 CellRow moved(const CellRow& row, std::ptrdiff_t by) {
     return {row.depth + by, row.speed + by, row.normal + by, row.tangential + by, row.weight + by,
             row.drive + by, row.bed + by,   row.closed + by, row.spare + by};
+}
+SideRow moved(const SideRow& row, std::ptrdiff_t by) {
+    return {row.depth + by, row.speed + by, row.normal + by, row.tangential + by, row.bed + by};
 }
 FaceRow moved(const FaceRow& row, std::ptrdiff_t by) {
     return {row.mass + by,           row.normal + by,     row.tangential + by, row.pressure_below + by,
@@ -114,14 +121,17 @@ class Sweeps {
                 const std::size_t first = index(strip.region.i0, j), before = first - 2;
                 kernels_.read_row(c_, before, count + 4, c_.depth + before, c_.qx + before, c_.qy + before, false,
                                   v_.dry, work.rows[0]);
-                if (laws_.keeps_lakes && !laws_.wall) {
+                if (!laws_.wall) {
                     for (int n = 1; n <= 2; ++n) {
                         if (strip.region.i0 == k_ghost) continue_beyond(row, 1, row, 2, n, -1, moved(row, -n), 1);
                         if (strip.region.i1 == s_.nodes.stride() - k_ghost)
                             continue_beyond(row, count, row, count - 1, n, 1, moved(row, n), count);
                     }
                 }
-                kernels_.faces(moved(row, -1), row, moved(row, 1), moved(row, 2), count + 1, v_, work.faces[0]);
+                const SideRow &before_cells = work.sides[0][0], &after_cells = work.sides[0][1];
+                kernels_.sides(moved(row, -1), row, moved(row, 1), count + 2, v_, before_cells, after_cells);
+                kernels_.faces(moved(row, -1), row, moved(row, 1), moved(row, 2), after_cells, moved(before_cells, 1),
+                               count + 1, v_, work.faces[0]);
                 const double rate = v_.dt / v_.cell_size;
                 for (int n = 0; n < carried(); ++n) {
                     double *const content = s_.carried[n].data() + first, *const flux = work.carried[0][n];
@@ -403,21 +413,28 @@ class Sweeps {
             const std::size_t first = index(strip.region.i0, j);
             return (n == 0 ? c_.depth : s_.carried[n - 3].data()) + first;
         };
+        const auto sides = [&](std::int64_t j) {
+            const auto& both = work.sides[(j - strip.region.j0 + 2) % 2];
+            kernels_.sides(row(j - 1), row(j), row(j + 1), count, v_, both[0], both[1]);
+        };
         const auto faces = [&](std::int64_t j, int to) {
-            kernels_.faces(row(j - 2), row(j - 1), row(j), row(j + 1), count, v_, work.faces[to]);
+            sides(j);
+            kernels_.faces(row(j - 2), row(j - 1), row(j), row(j + 1), work.sides[(j - strip.region.j0 + 1) % 2][1],
+                           work.sides[(j - strip.region.j0 + 2) % 2][0], count, v_, work.faces[to]);
             for (int n = 0; n < carried(); ++n)
                 carry(work.faces[to].mass, count, content(j - 1, 0), content(j - 1, 3 + n), content(j, 0),
                       content(j, 3 + n), work.carried[to][n]);
         };
         // The row beyond an open edge that is n rows from it.
         const auto continue_row = [&](std::int64_t edge, int out, int n) {
-            if (!laws_.keeps_lakes || laws_.wall) return;
+            if (laws_.wall) return;
             for (std::size_t q = 0; q < count; ++q)
                 continue_beyond(row(edge), q, row(edge - out), q, n, out, row(edge + n * out), q);
         };
         for (std::int64_t j = strip.region.j0 - 2; j < strip.region.j0 + 2; ++j) read(j, row(j));
         for (int n = 1; strip.region.j0 == k_ghost && n <= 2; ++n) continue_row(k_ghost, -1, n);
         int now = 0;
+        sides(strip.region.j0 - 1);
         faces(strip.region.j0, now);
         const double rate = v_.dt / v_.cell_size;
         if (strip.region.j0 == k_ghost) strip.left -= rate * sum(work.faces[now].mass, count);

@@ -40,7 +40,8 @@ TEST_F(AccuracyRun, TellsLevelsCostEstimatesAndVerdict) {
     std::vector<double> sizes;
     for (const Json& level : accuracy.at("levels")) {
         sizes.push_back(level.at("cell_size_m"));
-        EXPECT_GT(level.at("particles").get<int>(), 0);
+        // The coarser levels are finite volumes, without particles; what is claimed is the scene's own scheme.
+        EXPECT_EQ(level.at("particles").get<int>() > 0, level == accuracy.at("levels").back());
         EXPECT_GT(level.at("engine_seconds").get<double>(), 0);
     }
     ASSERT_GE(sizes.size(), 4U);
@@ -160,6 +161,13 @@ TEST_F(AccuracyRun, RefusesWhatIsNoAccuracy) {
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         EXPECT_NE(outcome.out.find("2 %: cells of 12, 8, 6, 4, then at most 2 m"), std::string::npos) << outcome.out;
     }
+}
+
+// Flight is what finite volumes lack: all levels are then particles.
+TEST_F(AccuracyRun, UsesParticlesWhereFiniteVolumesAreRefused) {
+    const Outcome outcome = run("result", {"--accuracy", "100%", "--set", "numerics.flight=on"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const Json& level : summary("result").at("accuracy").at("levels")) EXPECT_GT(level.at("particles"), 0);
 }
 
 // A scene of a second on cells of 1 m, which are twice its own.

@@ -71,7 +71,7 @@ TEST(RowKernels, GiveTheSameBitsInEverySetOfInstructions) {
         for (std::int64_t j = 2; j < 5; ++j)
             kernels.prepare(c, static_cast<std::size_t>(j * k_stride + 2), k_count + 2, v, UniformFriction{law});
         kernels.hold(c, k_first, k_count, v);
-        std::vector<double> work(30 * 64);
+        std::vector<double> work(40 * 64);
         const auto array = [&](std::size_t a) { return work.data() + 64 * a; };
         for (const bool along_y : {false, true}) {
             const CellRow row{array(0), array(1), array(2), array(3), array(4),
@@ -84,7 +84,12 @@ TEST(RowKernels, GiveTheSameBitsInEverySetOfInstructions) {
                                row.drive + by, row.bed + by,   row.closed + by, row.spare + by};
             };
             const FaceRow faces{array(8), array(9), array(10), array(11), array(12), array(13), array(14)};
-            kernels.faces(moved(0), moved(1), moved(2), moved(3), k_count + 1, v, faces);
+            const SideRow starts{array(16), array(17), array(18), array(19), array(20)},
+                ends{array(21), array(22), array(23), array(24), array(25)};
+            kernels.sides(moved(0), moved(1), moved(2), k_count + 2, v, starts, ends);
+            const SideRow next{starts.depth + 1, starts.speed + 1, starts.normal + 1, starts.tangential + 1,
+                               starts.bed + 1};
+            kernels.faces(moved(0), moved(1), moved(2), moved(3), ends, next, k_count + 1, v, faces);
             const FaceRow after{faces.mass + 1,           faces.normal + 1,         faces.tangential + 1,
                                 faces.pressure_below + 1, faces.pressure_above + 1, faces.step_below + 1,
                                 faces.step_above + 1};

@@ -6,6 +6,7 @@
 
 #include "models/structured/fluid/fluid_resistance.h"
 #include "mpm/curvature.h"
+#include "mpm/ground_slope.h"
 #include "physics/friction_sum.h"
 
 namespace frana::structured {
@@ -14,13 +15,6 @@ namespace {
 /// Pores of what has been given as all solids, a part of its depth: else a film of water would lift a heap (ours; sand
 /// and gravel have 0.2 to 0.4).
 constexpr double k_least_porosity = 0.2;
-
-// Central difference of the bed; the terrain is extrapolated beyond the edges with the slope at the edge.
-Point bed_gradient(const NodeGrid& grid, std::size_t n) {
-    const auto stride = static_cast<std::size_t>(grid.stride());
-    const double inverse = 0.5 / grid.cell_size();
-    return {inverse * (grid.bed[n + 1] - grid.bed[n - 1]), inverse * (grid.bed[n + stride] - grid.bed[n - stride])};
-}
 
 // Slope of the fluid's surface h_u + h_c + b between wet cells; dry neighbours do not contribute.
 Point surface_gradient(const NodeGrid& grid, const SolidNodes& nodes, const FluidState& fluid, double dry,
@@ -107,7 +101,7 @@ void push_solids(const NodeRange& range, double dt, const NodeGrid& grid, const 
         if (i < 1 || j < 1 || i >= last_column || j >= last_row) return;  // a gradient needs the nodes beside
         const SolidSums& sums = nodes.sums[n];
         if (!(sums.mass > 0)) return;
-        const Point slope = bed_gradient(grid, n);
+        const Point slope = ground_slope(grid, n);
         const double flatness = 1 / (1 + slope.x * slope.x + slope.y * slope.y), flat = laws.steep ? flatness : 1;
         Point push{-flat * laws.gravity * slope.x, -flat * laws.gravity * slope.y};
         nodes.push[n] = {0, 0, flatness, 0};

@@ -30,7 +30,6 @@ finite_volume::Laws sweeps_of(const FluidLaws& laws, const NodeGrid& nodes) {
     sweeps.wall = laws.wall;
     sweeps.gap_is_wall = !laws.gaps_are_open;
     sweeps.flies = false;
-    sweeps.level_lips = sweeps.keeps_lakes = true;
     return sweeps;
 }
 
