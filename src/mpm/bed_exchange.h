@@ -39,16 +39,17 @@ void fill_bed_states(const NodeRange& range, const NodeUpdate& k, const NodeGrid
 /// @param gravity vertical [m/s2]  @param along_bed whether the particles' velocity is that along the bed
 template <class Shape, bool Metric>
 void pore_pressure_to_nodes(const ParticleTile& tile, const PorePressure& law, double dt, double gravity,
-                            const BedSlopes& slopes, bool along_bed, const NodeGrid& nodes, ParticleSet& particles,
-                            double* sums) {
+                            bool along_bed, const NodeGrid& nodes, ParticleSet& particles, double* sums) {
     const NodeScale grid = nodes.scale();
     double *const ratio = particles[Field::pore_pressure], *const solid = particles[Field::solid_fraction];
     for (std::size_t p = tile.begin; p < tile.end; ++p) {
         const double u = particles[Field::u][p], v = particles[Field::v][p], volume = particles[Field::volume][p];
+        const Stencil<Shape> s(particles[Field::x][p], particles[Field::y][p], grid);
         double root = 1, climb = 0;
         if constexpr (Metric) {
-            root = std::sqrt(1 + slopes.x[p] * slopes.x[p] + slopes.y[p] * slopes.y[p]);
-            if (!along_bed) climb = u * slopes.x[p] + v * slopes.y[p];
+            const Interpolated z = interpolate(s, nodes.bed.data(), nodes.stride());
+            root = std::sqrt(1 + z.dx * z.dx + z.dy * z.dy);
+            if (!along_bed) climb = u * z.dx + v * z.dy;
         }
         const double thickness = volume / particles[Field::area][p] / root, speed = speed_along_bed(u, v, climb);
         const auto half_step = [&] {
@@ -58,7 +59,6 @@ void pore_pressure_to_nodes(const ParticleTile& tile, const PorePressure& law, d
             if (solid != nullptr) solid[p] = after.solid_fraction;
         };
         half_step();
-        const Stencil<Shape> s(particles[Field::x][p], particles[Field::y][p], grid);
         for (int b = 0; b < Shape::width; ++b)
             for (int a = 0; a < Shape::width; ++a)
                 sums[s.first + static_cast<std::size_t>(b * grid.stride + a)] += s.wx[a] * s.wy[b] * volume * ratio[p];

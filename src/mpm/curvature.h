@@ -33,11 +33,6 @@ struct PairOf {
 template <class Number>
 using MapVector = std::conditional_t<std::is_same_v<Number, double>, Point, PairOf<Number>>;
 
-/// The slope of the bed at each particle.
-struct BedSlopes {
-    double *x = nullptr, *y = nullptr;
-};
-
 /// Inner product of velocities in map view, measured along a bed of slope grad Z: u . v + (u . grad Z)(v . grad Z).
 template <class Number>
 struct AlongBedOf {

@@ -260,26 +260,38 @@ std::uint8_t directions_near(Point along) noexcept {
     return static_cast<std::uint8_t>(near);
 }
 
-double greatest_convexity(const NodeGrid& nodes, std::int64_t column, std::int64_t row) noexcept {
-    const std::int64_t stride = nodes.stride();
-    double convex = 0, twist = 0;
+void greatest_convexity(const NodeRange& range, const NodeGrid& nodes, double* bounds) noexcept {
     // Within half a cell the second derivatives of the splines are means of these differences.
-    const std::int64_t i0 = std::max<std::int64_t>(1, column - k_reach), i1 = std::min(stride - 2, column + k_reach);
-    const std::int64_t j0 = std::max<std::int64_t>(1, row - k_reach),
-                       j1 = std::min(nodes.padded_rows() - 2, row + k_reach);
+    struct Bend {
+        double convex = 0, twist = 0;
+    };
+    constexpr std::int64_t k_side = k_tile + 2 * k_reach;
+    std::array<Bend, k_side * k_side> bends{};
+    const std::int64_t stride = nodes.stride(), west = range.i0 - k_reach, south = range.j0 - k_reach;
     const auto bend = [](const double* z, std::int64_t step) { return 2 * z[0] - z[step] - z[-step]; };
-    for (std::int64_t j = j0; j <= j1; ++j) {
-        for (std::int64_t i = i0; i <= i1; ++i) {
+    for (std::int64_t j = std::max<std::int64_t>(1, south); j < std::min(nodes.padded_rows() - 1, range.j1 + k_reach);
+         ++j) {
+        for (std::int64_t i = std::max<std::int64_t>(1, west); i < std::min(stride - 1, range.i1 + k_reach); ++i) {
             const double* const z = nodes.bed.data() + j * stride + i;
+            Bend& here = bends[static_cast<std::size_t>((j - south) * k_side + i - west)];
             for (const std::int64_t k : {-1, 0, 1}) {
-                convex = std::max({convex, bend(z + k * stride, 1), bend(z + k, stride)});
+                here.convex = std::max({here.convex, bend(z + k * stride, 1), bend(z + k, stride)});
                 if (k == 0) continue;
                 for (const std::int64_t l : {-1, 1})
-                    twist = std::max(twist, std::abs(z[k * stride + l] - z[k * stride] - z[l] + z[0]));
+                    here.twist = std::max(here.twist, std::abs(z[k * stride + l] - z[k * stride] - z[l] + z[0]));
             }
         }
     }
-    return (convex + twist) / (nodes.cell_size() * nodes.cell_size());
+    range.for_each(stride, [&](std::size_t, std::int64_t i, std::int64_t j) {
+        Bend most;
+        for (std::int64_t b = j - south - k_reach; b <= j - south + k_reach; ++b) {
+            for (std::int64_t a = i - west - k_reach; a <= i - west + k_reach; ++a) {
+                const Bend& near = bends[static_cast<std::size_t>(b * k_side + a)];
+                most = {std::max(most.convex, near.convex), std::max(most.twist, near.twist)};
+            }
+        }
+        *bounds++ = (most.convex + most.twist) / (nodes.cell_size() * nodes.cell_size());
+    });
 }
 
 std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Point place, Point along, double thickness,
@@ -424,31 +436,35 @@ void JumpStatistics::merge(const JumpStatistics& other) noexcept {
     to = other.to;
 }
 
-// The result is cached while the bed equals the terrain. Edges of one that changes would have to be found at every
-// step.
+// Edges of a bed that changes would have to be found at every step: there, any node may be near one.
 bool Edges::examine(std::int64_t tile, const TileGrid& tiles, const NodeGrid& nodes, const JumpRules& rules) {
     known_.resize(static_cast<std::size_t>(tiles.tiles_x() * tiles.tiles_y()), k_unknown);
     std::uint8_t& known = known_[static_cast<std::size_t>(tile)];
-    if (known != k_unknown && !nodes.bed_changes) return known == k_edge;
+    if (known != k_unknown) return known == k_edge;
     const NodeRange range(tile, tiles, nodes);
     constexpr std::int64_t k_side = k_tile + 2 * k_reach;
     std::array<std::uint8_t, k_side * k_side> edges{};
+    std::array<double, k_tile * k_tile> convexity;
     const std::int64_t west = range.i0 - k_reach, south = range.j0 - k_reach;
     nodes.cover({west - k_edge_sight, range.i1 + k_reach + k_edge_sight, south - k_edge_sight,
                  range.j1 + k_reach + k_edge_sight});
-    constexpr std::uint8_t k_everywhere = 0xff;
-    for (std::int64_t j = std::max<std::int64_t>(south, 0); j < std::min(range.j1 + k_reach, nodes.padded_rows()); ++j)
+    for (std::int64_t j = std::max<std::int64_t>(south, 0);
+         !nodes.bed_changes && j < std::min(range.j1 + k_reach, nodes.padded_rows()); ++j)
         for (std::int64_t i = std::max<std::int64_t>(west, 0); i < std::min(range.i1 + k_reach, nodes.stride()); ++i)
             edges[static_cast<std::size_t>((j - south) * k_side + i - west)] =
-                nodes.bed_changes ? k_everywhere : edges_at(nodes, i, j, rules.angle - k_half_ramp - k_edge_margin);
+                edges_at(nodes, i, j, rules.angle - k_half_ramp - k_edge_margin);
+    greatest_convexity(range, nodes, convexity.data());
     known = k_none;
+    const double* bound = convexity.data();
     range.for_each(nodes.stride(), [&](std::size_t n, std::int64_t i, std::int64_t j) {
-        std::uint8_t near = 0;
-        for (std::int64_t b = j - south - k_reach; b <= j - south + k_reach; ++b)
+        constexpr std::uint8_t k_everywhere = 0xff;
+        std::uint8_t near = nodes.bed_changes ? k_everywhere : 0;
+        for (std::int64_t b = j - south - k_reach; near != k_everywhere && b <= j - south + k_reach; ++b)
             for (std::int64_t a = i - west - k_reach; a <= i - west + k_reach; ++a)
                 near |= edges[static_cast<std::size_t>(b * k_side + a)];
         // Rounded up by more than a float's rounding.
-        near_[n] = {near != 0 ? static_cast<float>(greatest_convexity(nodes, i, j) * (1 + 1e-6)) : 0, near};
+        near_[n] = {near != 0 ? static_cast<float>(*bound * (1 + 1e-6)) : 0, near};
+        ++bound;
         if (near_[n].convexity > 0) known = k_edge;
     });
     return known == k_edge;
@@ -461,6 +477,7 @@ std::vector<std::size_t> Flights::take_off(ParticleSet& particles, const TileOrd
     double *const volume = particles[Field::volume], *const flown = particles[Field::flown];
     const double *const area = particles[Field::area], *const pore = particles[Field::pore_pressure];
     std::vector<std::size_t> steep;
+    if (nodes.bed_changes) edges_.forget(order.node_tiles());
     for (std::size_t t = 0; t < tiles.size(); ++t) {
         bool any = false;
         for (std::int64_t b = tiles[t].y0; b <= tiles[t].y1; ++b)

@@ -97,11 +97,10 @@ std::uint8_t edges_at(const NodeGrid& nodes, std::int64_t column, std::int64_t r
 /// Returns the direction of edges_at nearest to that of a motion, and its two neighbours.
 std::uint8_t directions_near(Point along) noexcept;
 
-/// Returns a bound of -e . grad grad Z . e for all directions e and all places that a particle in a node's cell can
-/// reach in a step [1/m]: where it is less than g over the squared speed there is no jump, which spares most particles
-/// the search.
-/// @param column, row padded
-double greatest_convexity(const NodeGrid& nodes, std::int64_t column, std::int64_t row) noexcept;
+/// Computes, for each node of a range of at most a tile, a bound of -e . grad grad Z . e for all directions e and all
+/// places that a particle in its cell can reach in a step [1/m]: where it is less than g over the squared speed there
+/// is no jump, which spares most particles the search.
+void greatest_convexity(const NodeRange& range, const NodeGrid& nodes, double* bounds) noexcept;
 
 /// The edges of the ground, tile by tile.
 class Edges {
@@ -112,6 +111,11 @@ class Edges {
 
     /// Looks for them round a tile that is not yet known. Returns whether any of its nodes is near one.
     bool examine(std::int64_t tile, const TileGrid& tiles, const NodeGrid& nodes, const JumpRules& rules);
+    /// These tiles are to be examined again: their bed has changed.
+    void forget(const std::vector<std::int64_t>& tiles) noexcept {
+        for (const std::int64_t tile : tiles)
+            if (!known_.empty()) known_[static_cast<std::size_t>(tile)] = k_unknown;
+    }
     /// Whether what moves in a node's cell of an examined tile, by its velocity along the bed, may jump within a step.
     [[nodiscard]] bool may_jump(std::size_t node, Point along, double gravity) const noexcept {
         const Near& near = near_[node];

@@ -46,8 +46,8 @@ struct alignas(64) NodeMotion {
     double back_u, back_v;  ///< velocity, along the bed if particles carry it so, without NodeUpdate::kept [m/s]
     double mass;            ///< [m3]
     double fraction;        ///< of the cell that the particles claim, phi [-]
-    double climb;           ///< v . grad Z [m/s], only with curvature
-    double support;         ///< NodeLevel::support + share, which is 0 unless support is 1
+    double unused;
+    double support;  ///< NodeLevel::support + share, which is 0 unless support is 1
 };
 
 /// The phase of the records of a grid.

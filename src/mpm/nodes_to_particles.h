@@ -38,17 +38,9 @@ inline Bend<double> bend_on(const Stencil<QuadraticSplineShape>& s, const NodeMo
 /// decides about splitting, and shift the particle (shifting.h). A particle that leaves through an open boundary
 /// remains in the arrays until the next sort and is counted `outside`.
 ///
-/// FollowsBed: u, v are the velocity along the bed (BedFrame), which the nodes return in back_u, back_v; positions move
-/// with the nodes' velocity in map view. Gravity's work at the nodes, whose slopes are differences over two cells,
-/// differs from that along the particle's path on the bed: the speed is corrected by
-///
-///     work = pull support (sum N_i v_i . grad Z_i - m . grad Z),   m = v - dt/2 ((grad v) v - M^-1 (grad w) v)
-///
-/// with grad Z of the splines' bed at the particle's position when gravity acted, and m the mean of the map velocities
-/// before and after that position, without their change by forces: on a plane m = v, and there is no correction. M^-1 w
-/// is BedFrame::in_map. Particles slower than sqrt(g h) are driven by pressure as much as by gravity, which this does
-/// not balance: there the correction is reduced by w^2 / (w^2 + g h), so that still material remains at rest.
-template <class Shape, class Transfer, class Stress, bool Relaxed, bool FollowsBed = false>
+/// u, v are the velocity that the nodes return in back_u, back_v, along the bed if they do so (BedFrame); positions
+/// move with the nodes' velocity in map view.
+template <class Shape, class Transfer, class Stress, bool Relaxed>
 ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate& k, const Stress& stress,
                                   const NodeGrid& nodes, ParticleSet& particles) {
     constexpr bool affine = Transfer::affine, shifts = Relaxed && affine;
@@ -59,7 +51,7 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
     // For the splines the inverse of the second moment; for hat functions the affine part is the gradient itself (Jiang
     // et al. 2015).
     const double inverse_moment = Shape::width == 3 ? 4 * grid.inverse_dx * grid.inverse_dx : 1;
-    ParticleSweep<double, affine, Stress, Relaxed, FollowsBed, shifts> update{
+    ParticleSweep<double, affine, Stress, Relaxed, shifts> update{
         k, stress, nodes, particles, inverse_moment, solid_near(nodes, particles, tile.begin, tile.end)};
 
     for (std::size_t p = tile.begin; p < tile.end; ++p) {
@@ -80,7 +72,7 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
                 g.u_y += gy * nu;
                 g.v_x += gx * nv;
                 g.v_y += gy * nv;
-                if constexpr ((affine || FollowsBed) && Shape::width == 3) {
+                if constexpr (affine && Shape::width == 3) {
                     const double to_x = s.to_first_x + a * dx;
                     g.m_xx += w * row[a].back_u * to_x;
                     g.m_xy += w * row[a].back_u * to_y;
@@ -92,7 +84,6 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
                     g.m_yx += gx * row[a].back_v;
                     g.m_yy += gy * row[a].back_v;
                 }
-                if constexpr (FollowsBed) g.climb += w * row[a].climb;
                 if constexpr (Relaxed) {
                     g.fraction += w * row[a].fraction;
                     g.cell_depth += w * row[a].mass;
@@ -109,10 +100,6 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
         }
         if constexpr (Relaxed) {
             if (g.u_x + g.v_y < 0) g.bend = bend_on(s, motion, grid.stride);
-        }
-        if constexpr (FollowsBed && Relaxed) {
-            g.bed_x = k.slopes.x[p];
-            g.bed_y = k.slopes.y[p];
         }
         update(p, std::integral_constant<std::size_t, 1>{}, x[p], y[p], g);
     }

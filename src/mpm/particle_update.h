@@ -56,9 +56,6 @@ inline constexpr double k_tower = 2;
 /// fills its cells exactly.
 inline constexpr double k_full_fraction = 1 - 1e-9;
 
-/// Greatest relative correction of a particle's speed by gravity's work in a step.
-inline constexpr double k_work_limit = 0.5;
-
 /// Deviation of the velocities on a stencil from linear.
 template <class Number>
 struct Bend {
@@ -98,16 +95,6 @@ template <class Number>
     Number fit(1.0);
     if (Lanes<Number>::any(free2 > bound2)) fit = select(free2 > bound2, sqrt(bound2 / free2), Number(1.0));
     return {fit * c.xx, fit * c.xy, fit * c.yx, fit * c.yy};
-}
-
-/// Relative change of a particle's velocity by gravity's work (nodes_to_particles.h).
-/// @param most twice the energy to which the work is related [m2/s2]
-template <class Number>
-[[gnu::always_inline]] inline Number change_by_work(Number work, Number most) {
-    using std::max;
-    using std::min;
-    const Number least(-k_work_limit), greatest(k_work_limit);
-    return min(max(select(most > 0, work / most, Number(0.0)), least), greatest);
 }
 
 /// Returns the factor of a particle's area in a step from the determinant of the map x -> x + dt v(x). Where material
@@ -173,10 +160,8 @@ struct ParticleUpdate {
     double split_depth = 0;  ///< depth below which a particle is not split [m]
     bool wall = false;       ///< particles are kept inside; otherwise they may leave
     Point origin;            ///< release centroid, for the front distance, local metres
-    double pull = 0;         ///< gravity times the duration of the forces [m/s]; for velocities along the bed
     double shift = 0;        ///< particle shifting: s of shifting.h, 0 in steps without it
     double kept = 0;         ///< share of its own velocity that a particle keeps: NodeUpdate::kept
-    BedSlopes slopes{};      ///< by pressure_to_nodes, when gravity acted; for velocities along the bed
 };
 
 /// Results of a tile's particles in a step; combined tile by tile in their order.
@@ -207,13 +192,12 @@ struct ParticleReport {
 /// The values that one particle (double) or four (Quad) gather from their nodes.
 template <class Number>
 struct Gathered {
-    Number cell_depth, fraction, climb, support;  // as in NodeMotion
+    Number cell_depth, fraction, support;  // as in NodeMotion
     Number depth_x, depth_y, fraction_x, fraction_y,
         least;                      // for shifting: gradients of the first two; least fraction of any node
     Number u, v, back_u, back_v;    // nodal velocity in map view; what the particles take over
     Number u_x, u_y, v_x, v_y;      // gradient of the former
     Number m_xx, m_xy, m_yx, m_yy;  // first moments of the latter (hat functions: its gradient)
-    Number bed_x, bed_y;            // gradient of the bed, through the splines
     Bend<Number> bend;              // of the nodal velocity
 };
 
@@ -267,7 +251,7 @@ struct Gathered {
 
 /// The part of nodes_to_particles (mpm/nodes_to_particles.h) after the gather, for one particle or for four. Affine: of
 /// the transfer. Shifts: whether ParticleUpdate::shift may be other than 0.
-template <class Number, bool Affine, class Stress, bool Relaxed, bool FollowsBed, bool Shifts>
+template <class Number, bool Affine, class Stress, bool Relaxed, bool Shifts>
 struct ParticleSweep {
     using L = Lanes<Number>;
     using Mask = typename L::Mask;
@@ -303,7 +287,7 @@ struct ParticleSweep {
         Number u, v;
     };
 
-    /// Takes the velocity of the nodes, its gradient and the work of the bed.
+    /// Takes the velocity of the nodes and its gradient.
     template <class Count>
     [[gnu::always_inline]] Velocity take_velocity(std::size_t p, Count n, Number mass, Number old_area, Number support,
                                                   const Gathered<Number> &g) {
@@ -323,33 +307,18 @@ struct ParticleSweep {
                 add(c_yy, c.yy);
             }
         }
-        const Gradient<Number> whole = c;
         if constexpr (Affine) {
             if constexpr (Relaxed) {
-                Number bound2 = (k_front_shear * k_front_shear * k.gravity) * mass / old_area;
-                if constexpr (FollowsBed) {  // in terms of velocities in map view
-                    const Number speed2 = g.u * g.u + g.v * g.v;
-                    bound2 = select(speed2 > 0, bound2 * (back_u * back_u + back_v * back_v) / speed2, bound2);
-                }
+                // In terms of velocities in map view.
+                const Number speed2 = g.u * g.u + g.v * g.v, back2 = back_u * back_u + back_v * back_v;
+                const Number bound2 = (k_front_shear * k_front_shear * k.gravity) * mass / old_area *
+                                      select(speed2 > 0, back2 / speed2, Number(1.0));
                 c = bounded_at_front(c, support, grid.dx, bound2);
             }
             L::store(c.xx, c_xx + p, n);
             L::store(c.xy, c_xy + p, n);
             L::store(c.yx, c_yx + p, n);
             L::store(c.yy, c_yy + p, n);
-        }
-        if constexpr (FollowsBed && Relaxed) {
-            const Number root = sqrt(1 + g.bed_x * g.bed_x + g.bed_y * g.bed_y);
-            const auto driven = in_map<Number>(whole.xx * g.u + whole.xy * g.v, whole.yx * g.u + whole.yy * g.v,
-                                               g.bed_x, g.bed_y, root);
-            const double half = 0.5 * k.dt;
-            const Number mean_u = g.u - half * (g.u_x * g.u + g.u_y * g.v - driven.x),
-                         mean_v = g.v - half * (g.v_x * g.u + g.v_y * g.v - driven.y);
-            const Number work = k.pull * support * (g.climb - (mean_u * g.bed_x + mean_v * g.bed_y));
-            const Number change =
-                change_by_work<Number>(work, back_u * back_u + back_v * back_v + k.gravity * mass / old_area);
-            back_u += change * back_u;
-            back_v += change * back_v;
         }
         L::store(back_u, u + p, n);
         L::store(back_v, v + p, n);

@@ -80,10 +80,9 @@ template <bool Referenced, bool Stress, class Number>
 /// depth, which integrates to zero in the continuum, or to the state held on the grid, whose force hold_on_grid adds;
 /// so that a uniform state exerts exactly no force for any arrangement of particles; update_nodes adds the weight of a
 /// reference that follows the bed. Reads x, y, volume, area, s_* if Stress, compression if Referenced; reads NodeLevel;
-/// adds to NodeForces fx, fy; writes the tile's BedSlopes.
+/// adds to NodeForces fx, fy.
 template <class Shape, bool Referenced, bool Stress>
-void pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, double gravity, const BedSlopes& slopes,
-                       NodeGrid& nodes) {
+void pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, double gravity, NodeGrid& nodes) {
     const double* x = particles[Field::x];
     const double* y = particles[Field::y];
     const double* volume = particles[Field::volume];
@@ -102,8 +101,6 @@ void pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, d
     for (std::size_t p = tile.begin; p < tile.end; ++p) {
         const Stencil<Shape> s(x[p], y[p], grid);
         const Interpolated z = interpolate(s, bed, stride);
-        slopes.x[p] = z.dx;
-        slopes.y[p] = z.dy;
         const double weight = gravity * area[p];
         ParticlePush<double> push{
             0, 0.5 * gravity * area[p], volume[p] / area[p], weight * z.dx, weight * z.dy, 0, 0, 0, 0};

@@ -348,10 +348,8 @@ struct NodeSweep {
         }
         L::add(moves, real & L::none(zero >= abs(after.x) + abs(after.y)));
         MapVector<Number> back = after, way = after;
-        Number climb = zero;
         if constexpr (Slope::curved) {
             back = frame.along_bed(after.x, after.y);
-            climb = after.x * in.bed.slope_x + after.y * in.bed.slope_y;
             way = velocity_underway<Number>(in.bed.curvature, frame, in.follows * k.drift, after);
         }
         if (k.kept != 0) {
@@ -364,7 +362,7 @@ struct NodeSweep {
             if (L::at(real, lane)) k.gathered[i + l] = {L::at(old.x, lane), L::at(old.y, lane)};
         }
         store(i, count, real, {way.x, way.y, back.x, back.y},
-              {mass, in.area * inverse_area, climb, in.support + in.share});
+              {mass, in.area * inverse_area, zero, in.support + in.share});
     }
 
     [[nodiscard, gnu::always_inline]] NodeReport report() const {

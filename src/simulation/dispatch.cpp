@@ -24,11 +24,11 @@ constexpr int k_least_seeded_of_film = 4;
 
 using ChosenStress = StressLaws::Chosen<NoStress>;
 
-template <class Shape, class Transfer, class Stress, bool Relaxed, bool FollowsBed>
+template <class Shape, class Transfer, class Stress, bool Relaxed>
 ParticleReport nodes_to_particles_stage(const ParticleTile& tile, const ParticleUpdate& update,
                                         const PlaneStressLaw& stress, const NodeGrid& nodes, ParticleSet& particles) {
-    return nodes_to_particles<Shape, Transfer, Stress, Relaxed, FollowsBed>(tile, update, std::get<Stress>(stress.law),
-                                                                            nodes, particles);
+    return nodes_to_particles<Shape, Transfer, Stress, Relaxed>(tile, update, std::get<Stress>(stress.law), nodes,
+                                                                particles);
 }
 
 ChosenStress stress_law(const Material& material, double gravity) {
@@ -44,18 +44,16 @@ ChosenStress stress_law(const Material& material, double gravity) {
     return chosen;
 }
 
-template <class Shape, class Transfer, class Stress, bool Relaxed>
-void choose_update(Stages& stages) {
-    stages.nodes_to_particles = stages.follows_bed ? nodes_to_particles_stage<Shape, Transfer, Stress, Relaxed, true>
-                                                   : nodes_to_particles_stage<Shape, Transfer, Stress, Relaxed, false>;
-}
-
-// 36 of nodes_to_particles (physics/laws.h), 4 of each of the other particle stages.
+// 18 of nodes_to_particles (physics/laws.h), 4 of each of the other particle stages.
 template <class Shape, bool Relaxed, class Transfer>
 void choose_transfer(const ChosenStress& stress, Stages& stages) {
     stages.particles_to_nodes = stages.references ? particles_to_nodes<Shape, Transfer::affine, true>
                                                   : particles_to_nodes<Shape, Transfer::affine, false>;
-    std::visit([&]<class Stress>(const Stress&) { choose_update<Shape, Transfer, Stress, Relaxed>(stages); }, stress);
+    std::visit(
+        [&]<class Stress>(const Stress&) {
+            stages.nodes_to_particles = nodes_to_particles_stage<Shape, Transfer, Stress, Relaxed>;
+        },
+        stress);
     if (Transfer::affine) stages.fields = stages.fields | k_affine_fields;
 }
 
@@ -77,13 +75,12 @@ void choose_scheme(Transfer transfer, const ChosenStress& law, Stages& stages) {
     }
 }
 
-template <class Stress, bool FollowsBed>
+template <class Stress>
 ParticleReport fast_nodes_to_particles_stage(const ParticleTile& tile, const ParticleUpdate& update,
                                              const PlaneStressLaw& stress, const NodeGrid& nodes,
                                              ParticleSet& particles) {
-    const auto& kernels = std::get<VectorKernels::NodesToParticles<Stress>>(vector_kernels()->nodes_to_particles);
-    return (FollowsBed ? kernels.along_bed : kernels.in_map)(tile, update, std::get<Stress>(stress.law), nodes,
-                                                             particles);
+    const auto& kernel = std::get<VectorKernels::NodesToParticles<Stress>>(vector_kernels()->nodes_to_particles);
+    return kernel.stage(tile, update, std::get<Stress>(stress.law), nodes, particles);
 }
 
 // Selects the default scheme's kernels over particles for this processor.
@@ -91,12 +88,8 @@ void use_vector_kernels(const VectorKernels& kernels, const ChosenStress& law, S
     const bool stress = !std::holds_alternative<NoStress>(law);
     stages.particles_to_nodes = stages.references ? kernels.particles_and_levels_to_nodes : kernels.particles_to_nodes;
     stages.pressure_to_nodes = stress ? kernels.pressure_and_stress_to_nodes : kernels.pressure_to_nodes;
-    std::visit(
-        [&]<class Stress>(const Stress&) {
-            stages.nodes_to_particles = stages.follows_bed ? fast_nodes_to_particles_stage<Stress, true>
-                                                           : fast_nodes_to_particles_stage<Stress, false>;
-        },
-        law);
+    std::visit([&]<class Stress>(const Stress&) { stages.nodes_to_particles = fast_nodes_to_particles_stage<Stress>; },
+               law);
 }
 
 }  // namespace

@@ -133,19 +133,6 @@ TEST_P(VectorKernelsTest, ParticlesToNodes) {
     compare_gather<false>(bed_, particles, {1, 1 + count(), 0});
 }
 
-// The bed's slope at each particle, which the pressure computes and the way back to the particles needs.
-struct Slopes : BedSlopes {
-    std::vector<double> of_x, of_y;
-
-    explicit Slopes(const ParticleSet& particles) : of_x(particles.size(), std::nan("")), of_y(of_x) {
-        x = of_x.data();
-        y = of_y.data();
-    }
-    Slopes(const Slopes&) = delete;
-    Slopes& operator=(const Slopes&) = delete;
-    [[nodiscard]] bool is_set(std::size_t p) const { return !std::isnan(of_x[p]) && !std::isnan(of_y[p]); }
-};
-
 template <bool Stress>
 void compare_pressure(const Raster& bed, const ParticleSet& particles, const ParticleTile& tile) {
     Fields plain(bed), fast(bed);
@@ -154,18 +141,9 @@ void compare_pressure(const Raster& bed, const ParticleSet& particles, const Par
         particles_to_nodes<Shape, true, true>(tile, particles, fields->nodes);
         work_out_levels(fields->nodes);
     }
-    Slopes plain_slopes(particles), fast_slopes(particles);
-    pressure_to_nodes<Shape, true, Stress>(tile, particles, 9.81, plain_slopes, plain.nodes);
-    (Stress ? kernels.pressure_and_stress_to_nodes : kernels.pressure_to_nodes)(tile, particles, 9.81, fast_slopes,
-                                                                                fast.nodes);
+    pressure_to_nodes<Shape, true, Stress>(tile, particles, 9.81, plain.nodes);
+    (Stress ? kernels.pressure_and_stress_to_nodes : kernels.pressure_to_nodes)(tile, particles, 9.81, fast.nodes);
     expect_same_nodes(plain.nodes, fast.nodes);
-    for (std::size_t p = 0; p < particles.size(); ++p) {  // of none but the tile's particles
-        EXPECT_EQ(plain_slopes.is_set(p), p >= tile.begin && p < tile.end);
-        EXPECT_EQ(fast_slopes.is_set(p), p >= tile.begin && p < tile.end);
-        if (!fast_slopes.is_set(p)) continue;
-        EXPECT_NEAR(plain_slopes.of_x[p], fast_slopes.of_x[p], k_rounding);
-        EXPECT_NEAR(plain_slopes.of_y[p], fast_slopes.of_y[p], k_rounding);
-    }
 }
 
 TEST_P(VectorKernelsTest, PressureToNodes) {
@@ -257,11 +235,10 @@ TEST_P(VectorKernelsTest, SweepsOverNodes) {
 
 // Nodes in the state before nodes_to_particles.
 template <bool FollowsBed>
-void step_nodes(const ParticleSet& particles, const ParticleTile& tile, double dt, const BedSlopes& slopes,
-                NodeGrid& nodes) {
+void step_nodes(const ParticleSet& particles, const ParticleTile& tile, double dt, NodeGrid& nodes) {
     particles_to_nodes<Shape, true, true>(tile, particles, nodes);
     work_out_levels(nodes);
-    pressure_to_nodes<Shape, true, false>(tile, particles, 9.81, slopes, nodes);
+    pressure_to_nodes<Shape, true, false>(tile, particles, 9.81, nodes);
     const VoellmyFriction frictionless;
     Maxima maxima(nodes.size());
     for_all_nodes(nodes, [&](const NodeRange& range) {
@@ -273,7 +250,6 @@ void step_nodes(const ParticleSet& particles, const ParticleTile& tile, double d
         NodeMotion& node = nodes.motion()[i];
         for (double* velocity : {&node.u, &node.v, &node.back_u, &node.back_v})
             *velocity = 20 * std::tanh(*velocity / 20);
-        node.climb = 10 * std::tanh(node.climb / 10);
     }
 }
 
@@ -296,7 +272,7 @@ void compare_nodes(const Raster& bed, const ParticleSet& particles, const Partic
         if (solid) nodes.mark_walls(walls);
         particles_to_nodes<Shape, true, true>(tile, particles, nodes);
         work_out_levels(nodes);
-        pressure_to_nodes<Shape, true, false>(tile, particles, 9.81, Slopes(particles), nodes);
+        pressure_to_nodes<Shape, true, false>(tile, particles, 9.81, nodes);
         for (std::size_t i = 0; i < nodes.size(); i += 5) nodes.forces()[i].held = 1;
         for_all_nodes(nodes, [&](const NodeRange& range) {
             if (fields == &plain) {
@@ -371,15 +347,14 @@ void compare_update(const Raster& bed, ParticleSet particles, const ParticleTile
     Fields fields(bed);
     NodeGrid& nodes = fields.nodes;
     const double dt = 0.05;
-    const Slopes slopes(particles);
-    step_nodes<FollowsBed>(particles, tile, dt, slopes, nodes);
+    step_nodes<FollowsBed>(particles, tile, dt, nodes);
     ParticleSet fast = particles;
-    const ParticleUpdate update{dt, 9.81, 1e-3, wall, {10, 20}, 9.81 * dt, shift, kept, slopes};
+    const ParticleUpdate update{dt, 9.81, 1e-3, wall, {10, 20}, shift, kept};
     const VectorKernels& kernels = *vector_kernels(tested);
     const ParticleReport a =
-        nodes_to_particles<Shape, ApicTransfer, Stress, true, FollowsBed>(tile, update, stress, nodes, particles);
+        nodes_to_particles<Shape, ApicTransfer, Stress, true>(tile, update, stress, nodes, particles);
     const auto& updates = std::get<VectorKernels::NodesToParticles<Stress>>(kernels.nodes_to_particles);
-    const ParticleReport b = (FollowsBed ? updates.along_bed : updates.in_map)(tile, update, stress, nodes, fast);
+    const ParticleReport b = updates.stage(tile, update, stress, nodes, fast);
     expect_same_particles(particles, fast);
     EXPECT_NEAR(a.speeds.wave, b.speeds.wave, k_rounding * a.speeds.wave);
     EXPECT_NEAR(a.speeds.carried_wave, b.speeds.carried_wave, k_rounding * a.speeds.wave);
@@ -441,12 +416,11 @@ TEST(Shifting, ChangesNeitherVolumeNorVelocity) {
     Fields fields(bed);
     const double dt = 0.05;
     const ParticleTile tile{0, still.size(), 0};
-    const Slopes slopes(still);
-    step_nodes<true>(still, tile, dt, slopes, fields.nodes);
-    ParticleUpdate update{dt, 9.81, 1e-3, false, {10, 20}, 9.81 * dt, 0, 0, slopes};
-    nodes_to_particles<Shape, ApicTransfer, NoStress, true, true>(tile, update, {}, fields.nodes, still);
+    step_nodes<true>(still, tile, dt, fields.nodes);
+    ParticleUpdate update{dt, 9.81, 1e-3, false, {10, 20}};
+    nodes_to_particles<Shape, ApicTransfer, NoStress, true>(tile, update, {}, fields.nodes, still);
     update.shift = k_shift;
-    nodes_to_particles<Shape, ApicTransfer, NoStress, true, true>(tile, update, {}, fields.nodes, shifted);
+    nodes_to_particles<Shape, ApicTransfer, NoStress, true>(tile, update, {}, fields.nodes, shifted);
     std::size_t moved = 0;
     for (std::size_t p = 0; p < still.size(); ++p) {
         for (const Field f : {Field::u, Field::v, Field::volume, Field::c_xx, Field::c_xy, Field::c_yx, Field::c_yy})
@@ -493,16 +467,15 @@ TEST(VectorKernels, OfBothSetsOfInstructionsGiveTheSameBits) {
     same_nodes("particles to nodes");
     both([&](const VectorKernels& k, NodeGrid& nodes, ParticleSet& particles) {
         work_out_levels(nodes);
-        k.pressure_and_stress_to_nodes(tile, particles, 9.81, Slopes(particles), nodes);
+        k.pressure_and_stress_to_nodes(tile, particles, 9.81, nodes);
     });
     same_nodes("pressure");
     const BinghamStress stress{0.5, 0.25, 0.01};
     both([&](const VectorKernels& k, NodeGrid& nodes, ParticleSet& particles) {
-        const Slopes slopes(start);
-        step_nodes<true>(start, tile, dt, slopes, nodes);
-        const ParticleUpdate update{dt, 9.81, 1e-3, false, {10, 20}, 9.81 * dt, k_shift, 0, slopes};
+        step_nodes<true>(start, tile, dt, nodes);
+        const ParticleUpdate update{dt, 9.81, 1e-3, false, {10, 20}, k_shift};
         std::get<VectorKernels::NodesToParticles<BinghamStress>>(k.nodes_to_particles)
-            .along_bed(tile, update, stress, nodes, particles);
+            .stage(tile, update, stress, nodes, particles);
     });
     for (std::size_t f = 0; f < k_fields; ++f) {
         const auto field = static_cast<Field>(f);

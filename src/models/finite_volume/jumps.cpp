@@ -35,6 +35,7 @@ void find_jumps(State& s, const Laws& laws, double dt, ThreadPool& pool) {
     if (!laws.flies || s.steps % k_interval != 0) return;
     const double time = std::exchange(s.untested, 0);
     std::vector<std::int64_t> steep;
+    if (s.nodes.bed_changes) s.edges.forget(s.wet);
     for (const std::int64_t tile : s.wet)
         if (s.records[static_cast<std::size_t>(tile)].i1 != 0 && s.edges.examine(tile, s.tiles, s.nodes, laws.jumps))
             steep.push_back(tile);

@@ -14,9 +14,8 @@ namespace frana::voellmy_bingham {
 struct Stages {
     void (*particles_to_nodes)(const ParticleTile&, const ParticleSet&, NodeGrid&) = nullptr;
     VectorKernels::Pressure pressure_to_nodes = nullptr;
-    void (*pore_pressure_to_nodes)(const ParticleTile&, const PorePressure&, double dt, double gravity,
-                                   const BedSlopes&, bool along_bed, const NodeGrid&, ParticleSet&,
-                                   double* sums) = nullptr;
+    void (*pore_pressure_to_nodes)(const ParticleTile&, const PorePressure&, double dt, double gravity, bool along_bed,
+                                   const NodeGrid&, ParticleSet&, double* sums) = nullptr;
     void (*fill_bed_states)(const NodeRange&, const NodeUpdate&, const NodeGrid&, BedState*) = nullptr;
     void (*find_held_nodes)(const NodeRange&, const NodeUpdate&, const BedFriction&, BedState*, NodeGrid&) = nullptr;
     NodeReport (*update_nodes)(const NodeRange&, const NodeUpdate&, const BedFriction&, BedState*, double time,

@@ -49,7 +49,6 @@ struct State {
     ZeroArray<ErodibleBed> erodible_beds;        ///< padded; empty if the bed does not change
     ExchangeReport exchanged;                    ///< with the bed, so far
     std::vector<double> kept, lost;              ///< by each particle, within a step
-    std::vector<double> slope_x, slope_y;        ///< BedSlopes, within a step
     ZeroArray<double> pore_sums;   ///< padded; w V r of the particles, within a step; empty: no pore pressure
     ZeroArray<std::uint8_t> tail;  ///< padded; mark_tail, within a step
     ZeroArray<Point> gathered;     ///< padded; velocity in map view before the update; empty: not stored
@@ -59,7 +58,7 @@ template <class Archive>
 void serialise(Archive& archive, State& state) {
     [[maybe_unused]] auto& [particles, nodes, order, active, node_reports, particle_reports, time, velocity_lag, drift,
                             since_sort, speeds, diffusivity, volume_left, flights, bed_states, erodible_beds, exchanged,
-                            kept, lost, slope_x, slope_y, pore_sums, tail, gathered] = state;
+                            kept, lost, pore_sums, tail, gathered] = state;
     archive(particles, nodes, order, active, node_reports, particle_reports, time, velocity_lag, drift, since_sort,
             speeds, diffusivity, volume_left, flights, bed_states, erodible_beds,
             exchanged);  // the rest is within a step

@@ -111,11 +111,8 @@ void forces_to_nodes(Step& now) {
         for (const auto* tiles : {&state.active.updated(), &state.active.gathered()})
             sweep_nodes(now, *tiles, &VectorNodeKernels::momenta_to_map, momenta_to_map);
     }
-    state.slope_x.resize(state.particles.size());
-    state.slope_y.resize(state.particles.size());
-    const BedSlopes slopes{state.slope_x.data(), state.slope_y.data()};
     for_tiles_by_colour(state, now.pool, [&](const ParticleTile& tile) {
-        now.stages.pressure_to_nodes(tile, state.particles, now.laws.gravity, slopes, state.nodes);
+        now.stages.pressure_to_nodes(tile, state.particles, now.laws.gravity, state.nodes);
     });
     if (now.laws.wall) fold_forces(state.nodes);
     now.watch.ends(Stage::pressure);
@@ -128,9 +125,8 @@ void pore_pressure(Step& now) {
     for_node_tiles(state, state.active.cleared(), now.pool, [&](const NodeRange& range) {
         range.for_each(state.nodes.stride(), [&](std::size_t i, std::int64_t, std::int64_t) { sums[i] = 0; });
     });
-    const BedSlopes slopes{state.slope_x.data(), state.slope_y.data()};
     for_tiles_by_colour(state, now.pool, [&](const ParticleTile& tile) {
-        now.stages.pore_pressure_to_nodes(tile, now.laws.friction.pore_pressure, now.kick, now.laws.gravity, slopes,
+        now.stages.pore_pressure_to_nodes(tile, now.laws.friction.pore_pressure, now.kick, now.laws.gravity,
                                           now.stages.follows_bed, state.nodes, state.particles, sums);
     });
     if (now.laws.wall) mirror_scalar(state.nodes, sums);
@@ -207,14 +203,9 @@ void exchange_with_bed(Step& now) {
 void nodes_to_particles(Step& now) {
     State& state = now.state;
     const Laws& laws = now.laws;
-    ParticleUpdate update{now.drift,
-                          laws.gravity * laws.stress.wave_factor,
-                          laws.resample.minimum_depth,
-                          laws.wall,
-                          laws.origin,
-                          laws.gravity * now.kick};
+    ParticleUpdate update{now.drift, laws.gravity * laws.stress.wave_factor, laws.resample.minimum_depth, laws.wall,
+                          laws.origin};
     update.kept = now.stages.kept;
-    update.slopes = {state.slope_x.data(), state.slope_y.data()};
     if (shifts_now(state, now.stages)) update.shift = k_shift;
     const auto& tiles = state.order.tiles();
     for (const ParticleTile& tile : tiles) state.particle_reports[static_cast<std::size_t>(tile.tile)].longest = 0;

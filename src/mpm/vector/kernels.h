@@ -18,13 +18,12 @@ struct VectorKernels {
     const char* instructions;  ///< their name
     void (*particles_to_nodes)(const ParticleTile&, const ParticleSet&, NodeGrid&);
     void (*particles_and_levels_to_nodes)(const ParticleTile&, const ParticleSet&, NodeGrid&);
-    using Pressure = void (*)(const ParticleTile&, const ParticleSet&, double gravity, const BedSlopes&, NodeGrid&);
+    using Pressure = void (*)(const ParticleTile&, const ParticleSet&, double gravity, NodeGrid&);
     Pressure pressure_to_nodes, pressure_and_stress_to_nodes;
     template <class Stress>
     struct NodesToParticles {
-        using Stage = ParticleReport (*)(const ParticleTile&, const ParticleUpdate&, const Stress&, const NodeGrid&,
-                                         ParticleSet&);
-        Stage in_map, along_bed;  ///< for velocities in map view, along the bed
+        ParticleReport (*stage)(const ParticleTile&, const ParticleUpdate&, const Stress&, const NodeGrid&,
+                                ParticleSet&);
     };
     StressLaws::ForEach<NodesToParticles, NoStress> nodes_to_particles;
 };

@@ -11,17 +11,16 @@
 namespace frana {
 namespace {
 
-template <bool FollowsBed, class Stress>
+template <class Stress>
 ParticleReport shifting_or_not(const ParticleTile& tile, const ParticleUpdate& update, const Stress& stress,
                                const NodeGrid& nodes, ParticleSet& particles) {
-    if (update.shift > 0) return vector_nodes_to_particles<FollowsBed, true>(tile, update, stress, nodes, particles);
-    return vector_nodes_to_particles<FollowsBed, false>(tile, update, stress, nodes, particles);
+    if (update.shift > 0) return vector_nodes_to_particles<true>(tile, update, stress, nodes, particles);
+    return vector_nodes_to_particles<false>(tile, update, stress, nodes, particles);
 }
 
 template <class Stress>
-struct BothVelocities : VectorKernels::NodesToParticles<Stress> {
-    constexpr BothVelocities()
-        : VectorKernels::NodesToParticles<Stress>{shifting_or_not<false, Stress>, shifting_or_not<true, Stress>} {}
+struct OfStress : VectorKernels::NodesToParticles<Stress> {
+    constexpr OfStress() : VectorKernels::NodesToParticles<Stress>{shifting_or_not<Stress>} {}
 };
 
 constexpr VectorKernels k_kernels{k_compiled_instructions == Instructions::avx512 ? "AVX-512" : "AVX2 and FMA",
@@ -29,7 +28,7 @@ constexpr VectorKernels k_kernels{k_compiled_instructions == Instructions::avx51
                                   vector_particles_to_nodes<true>,
                                   vector_pressure_to_nodes<false>,
                                   vector_pressure_to_nodes<true>,
-                                  StressLaws::ForEach<BothVelocities, NoStress>{}};
+                                  StressLaws::ForEach<OfStress, NoStress>{}};
 
 }  // namespace
 

@@ -7,10 +7,10 @@
 namespace frana {
 namespace {
 
-/// Values gathered by four particles; those needed only by Shifts are not set without it, the bed's slopes never.
+/// Values gathered by four particles; those needed only by Shifts are not set without it.
 template <bool Shifts>
 struct ChunkGather : Gathered<Quad> {
-    /// Each node is two quads, {u, v, back_u, back_v} and {mass, fraction, climb, support}. Particle by particle only
+    /// Each node is two quads, {u, v, back_u, back_v} and {mass, fraction, unused, support}. Particle by particle only
     /// the sums of the first along rows and along columns are computed, with the splines' weights, and the mean of the
     /// second; all else follows from those seven, for four particles at once.
     FRANA_INLINE ChunkGather(Quad px, Quad py, const NodeScale& grid, const NodeMotion* motion) {
@@ -49,7 +49,6 @@ struct ChunkGather : Gathered<Quad> {
         transpose(means[0], means[1], means[2], means[3]);
         cell_depth = means[0];
         fraction = means[1];
-        climb = means[2];
         support = means[3];
         if constexpr (Shifts) gather_slopes(ax, ay, weight_x, weight_y, grid, motion, first);
         for (int a = 0; a < 3; ++a) {
@@ -122,23 +121,19 @@ struct ChunkGather : Gathered<Quad> {
     }
 };
 
-/// nodes_to_particles<QuadraticSplineShape, ApicTransfer, Stress, true, FollowsBed>, four particles at a time.
+/// nodes_to_particles<QuadraticSplineShape, ApicTransfer, Stress, true>, four particles at a time.
 /// Shifts: whether ParticleUpdate::shift is not 0.
-template <bool FollowsBed, bool Shifts, class Stress>
+template <bool Shifts, class Stress>
 ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const ParticleUpdate& k, const Stress& stress,
                                          const NodeGrid& nodes, ParticleSet& particles) {
     const NodeScale grid = nodes.scale();
     const double *const x = particles[Field::x], *const y = particles[Field::y];
     const double inverse_moment = 4 * grid.inverse_dx * grid.inverse_dx;
-    ParticleSweep<Quad, true, Stress, true, FollowsBed, Shifts> update{
+    ParticleSweep<Quad, true, Stress, true, Shifts> update{
         k, stress, nodes, particles, inverse_moment, solid_near(nodes, particles, tile.begin, tile.end)};
     for_chunks(tile.begin, tile.end, [&](std::size_t p, auto n) FRANA_INLINE_LAMBDA {
         const Quad old_x = load_some(x + p, n), old_y = load_some(y + p, n);
-        ChunkGather<Shifts> gathered(old_x, old_y, grid, nodes.motion());
-        if constexpr (FollowsBed) {
-            gathered.bed_x = load_some(k.slopes.x + p, n);
-            gathered.bed_y = load_some(k.slopes.y + p, n);
-        }
+        const ChunkGather<Shifts> gathered(old_x, old_y, grid, nodes.motion());
         update(p, n, old_x, old_y, gathered);
     });
     return update.report();

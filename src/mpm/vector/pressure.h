@@ -76,14 +76,13 @@ struct LevelBox {
 
 /// Adds the forces of a tile's particles to the copy of their nodes.
 template <bool Stress, Shares Held>
-void push_in_box(const ParticleTile& tile, const ParticleSet& particles, double gravity, const BedSlopes& slopes,
-                 const NodeGrid& nodes, const NodeBox& box, LevelBox& local) {
+void push_in_box(const ParticleTile& tile, const ParticleSet& particles, double gravity, const NodeGrid& nodes,
+                 const NodeBox& box, LevelBox& local) {
     const double *const x = particles[Field::x], *const y = particles[Field::y];
     const double *const volume = particles[Field::volume], *const area = particles[Field::area];
     const double* const compression = particles[Field::compression];
     const double *const s_xx = particles[Field::s_xx], *const s_xy = particles[Field::s_xy];
     const double* const s_yy = particles[Field::s_yy];
-    double *const slope_to_x = slopes.x, *const slope_to_y = slopes.y;
     const NodeScale grid = nodes.scale();
     const double* const bed = nodes.bed.data();
     const Quad shift{-0.5, 0, 0.5, 0}, square{0.5, -1, 0.5, 0}, constant{0, 0.75, 0, 0};
@@ -125,8 +124,6 @@ void push_in_box(const ParticleTile& tile, const ParticleSet& particles, double 
             const Quad along = slope_y[0][k] * south + slope_y[1][k] * middle + slope_y[2][k] * north;
             const Quad z = sum_everywhere(wx * across), rise_x = sum_everywhere(gx * across),
                        rise_y = sum_everywhere(wx * along);
-            slope_to_x[p + k] = rise_x[0];
-            slope_to_y[p + k] = rise_y[0];
             ParticlePush<Quad> push{
                 pressure[k], half_weight[k], depth[k], weight[k] * rise_x, weight[k] * rise_y, 0.0, 0.0, 0.0, 0.0};
             if constexpr (Stress) {
@@ -160,21 +157,20 @@ void push_in_box(const ParticleTile& tile, const ParticleSet& particles, double 
 /// pressure_to_nodes<QuadraticSplineShape, true, Stress>, a row of three nodes at a time (the fourth lane has weight
 /// zero), on a copy of the nodes in which each row is contiguous.
 template <bool Stress>
-void vector_pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, double gravity,
-                              const BedSlopes& slopes, NodeGrid& nodes) {
+void vector_pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, double gravity, NodeGrid& nodes) {
     if (tile.begin == tile.end) return;
     const NodeBox box(particles[Field::x], particles[Field::y], tile.begin, tile.end, nodes.scale());
     if (!box.fits()) {  // particles far apart: two runs
         const std::size_t middle = (tile.begin + tile.end) / 2;
-        vector_pressure_to_nodes<Stress>({tile.begin, middle, tile.tile}, particles, gravity, slopes, nodes);
-        vector_pressure_to_nodes<Stress>({middle, tile.end, tile.tile}, particles, gravity, slopes, nodes);
+        vector_pressure_to_nodes<Stress>({tile.begin, middle, tile.tile}, particles, gravity, nodes);
+        vector_pressure_to_nodes<Stress>({middle, tile.end, tile.tile}, particles, gravity, nodes);
         return;
     }
     LevelBox local(box, nodes);
     const auto push = local.shares == Shares::none  ? push_in_box<Stress, Shares::none>
                       : local.shares == Shares::any ? push_in_box<Stress, Shares::any>
                                                     : push_in_box<Stress, Shares::all>;
-    push(tile, particles, gravity, slopes, nodes, box, local);
+    push(tile, particles, gravity, nodes, box, local);
     local.add_forces_to(box, nodes);
 }
 

@@ -28,7 +28,6 @@ struct Tile {
     BinghamStress stress{0.5, 0.25};
     // Time step zero, so that a repeated sweep finds the particles in the same place.
     ParticleUpdate update{0, k_fall, 1e-3, false, {}};
-    std::vector<double> slope_x, slope_y;  // of the bed, by the pressure
 
     explicit Tile(const Raster& bed) : gathered(bed), moved(bed) {
         constexpr FieldMask k_all =
@@ -45,9 +44,6 @@ struct Tile {
             particles.set_row(p, row);
         }
         run.end = particles.size();
-        slope_x.resize(run.end);
-        slope_y.resize(run.end);
-        update.slopes = {slope_x.data(), slope_y.data()};
         const TileGrid tiles{gathered.columns(), gathered.rows(), k_ghost, k_cell};
         for (NodeGrid* nodes : {&gathered, &moved}) {
             nodes->allocate_levels();
@@ -59,7 +55,7 @@ struct Tile {
             for_all([&](const NodeRange& range) { node_references(range, *nodes); });
             for_all([&](const NodeRange& range) { hold_on_grid(range, k_fall, false, *nodes); });
             if (nodes == &gathered) continue;
-            pressure_to_nodes<Shape, true, false>(run, particles, k_fall, update.slopes, *nodes);
+            pressure_to_nodes<Shape, true, false>(run, particles, k_fall, *nodes);
             const VoellmyFriction frictionless;
             Maxima maxima(nodes->size());
             for_all([&](const NodeRange& range) {
@@ -80,11 +76,9 @@ std::vector<KernelCase> kernel_cases() {
     cases.push_back({"particles to nodes, plain",
                      [t] { particles_to_nodes<Shape, true, true>(t->run, t->particles, t->gathered); }});
     cases.push_back(
-        {"pressure, plain",
-         [t] { pressure_to_nodes<Shape, true, false>(t->run, t->particles, k_fall, t->update.slopes, t->gathered); }});
-    cases.push_back(
-        {"pressure and stress, plain",
-         [t] { pressure_to_nodes<Shape, true, true>(t->run, t->particles, k_fall, t->update.slopes, t->gathered); }});
+        {"pressure, plain", [t] { pressure_to_nodes<Shape, true, false>(t->run, t->particles, k_fall, t->gathered); }});
+    cases.push_back({"pressure and stress, plain",
+                     [t] { pressure_to_nodes<Shape, true, true>(t->run, t->particles, k_fall, t->gathered); }});
     cases.push_back({"nodes to particles, plain", [t] {
                          nodes_to_particles<Shape, ApicTransfer, NoStress, true>(t->run, t->update, {}, t->moved,
                                                                                  t->particles);
@@ -93,36 +87,26 @@ std::vector<KernelCase> kernel_cases() {
                          nodes_to_particles<Shape, ApicTransfer, BinghamStress, true>(t->run, t->update, t->stress,
                                                                                       t->moved, t->particles);
                      }});
-    cases.push_back({"nodes to particles along the bed, plain", [t] {
-                         nodes_to_particles<Shape, ApicTransfer, NoStress, true, true>(t->run, t->update, {}, t->moved,
-                                                                                       t->particles);
-                     }});
     const VectorKernels* fast = vector_kernels();
     if (!fast) return cases;
     using Plain = VectorKernels::NodesToParticles<NoStress>;
     using Stressed = VectorKernels::NodesToParticles<BinghamStress>;
     cases.push_back(
         {"particles to nodes, fast", [=] { fast->particles_and_levels_to_nodes(t->run, t->particles, t->gathered); }});
-    cases.push_back({"pressure, fast",
-                     [=] { fast->pressure_to_nodes(t->run, t->particles, k_fall, t->update.slopes, t->gathered); }});
-    cases.push_back(
-        {"pressure and stress, fast",
-         [=] { fast->pressure_and_stress_to_nodes(t->run, t->particles, k_fall, t->update.slopes, t->gathered); }});
-    cases.push_back(
-        {"nodes to particles, fast",
-         [=] { std::get<Plain>(fast->nodes_to_particles).in_map(t->run, t->update, {}, t->moved, t->particles); }});
-    cases.push_back(
-        {"nodes to particles along the bed, fast",
-         [=] { std::get<Plain>(fast->nodes_to_particles).along_bed(t->run, t->update, {}, t->moved, t->particles); }});
-    cases.push_back(
-        {"nodes to particles along the bed, shifting, fast", [=] {
-             ParticleUpdate shifting = t->update;
-             shifting.shift = k_shift;
-             std::get<Plain>(fast->nodes_to_particles).along_bed(t->run, shifting, {}, t->moved, t->particles);
-         }});
+    cases.push_back({"pressure, fast", [=] { fast->pressure_to_nodes(t->run, t->particles, k_fall, t->gathered); }});
+    cases.push_back({"pressure and stress, fast",
+                     [=] { fast->pressure_and_stress_to_nodes(t->run, t->particles, k_fall, t->gathered); }});
+    cases.push_back({"nodes to particles, fast", [=] {
+                         std::get<Plain>(fast->nodes_to_particles).stage(t->run, t->update, {}, t->moved, t->particles);
+                     }});
+    cases.push_back({"nodes to particles, shifting, fast", [=] {
+                         ParticleUpdate shifting = t->update;
+                         shifting.shift = k_shift;
+                         std::get<Plain>(fast->nodes_to_particles).stage(t->run, shifting, {}, t->moved, t->particles);
+                     }});
     cases.push_back(
         {"nodes to particles with stress, fast", [=] {
-             std::get<Stressed>(fast->nodes_to_particles).in_map(t->run, t->update, t->stress, t->moved, t->particles);
+             std::get<Stressed>(fast->nodes_to_particles).stage(t->run, t->update, t->stress, t->moved, t->particles);
          }});
     return cases;
 }

@@ -57,6 +57,54 @@ TEST(SlidingBlock, WithoutCorrectionItIsTooFastByTheSquaredSecant) {
                 1e-3 * gentle);
 }
 
+// A pile 40 m thick slides over rough ground with Coulomb's friction alone: nothing that moves at 3/4 of the greatest
+// speed or more has more energy than its fall from the highest point released to it, less friction on the shortest way,
+//     v^2 / 2 <= g (Z_0 + h_0 - Z) - mu g distance.
+// Where the pile starts its pressure may give more: by 0.4 % of the energy at its side, at half of the greatest speed.
+TEST(SlidingBlock, IsNowhereFasterThanItsFallAllows) {
+    constexpr double k_cell = 20, k_friction = 0.2;
+    const GridSpec grid = bench::plain_grid(170, 60, k_cell);
+    const Raster bed = bench::sample_raster(grid, [](Point p) {
+        const double rough = 8 * std::sin(p.x / 31 + 0.7 * std::sin(p.y / 47)) * std::sin(p.y / 37) +
+                             5 * std::sin(p.x / 19 - p.y / 23) + 10 * std::sin(p.x / 83 + 1.3) * std::cos(p.y / 71);
+        return rough + (p.x < 1500 ? 0.65 * (1500 - p.x) : 0);
+    });
+    const auto pile = [](Point p) {
+        return 40 * (1 - std::pow((p.x - 300) / 180, 2) - std::pow((p.y - 600) / 200, 2));
+    };
+    Flow flow(bed, bench::fill_lattice(grid, 2, 0, [&](Point p) { return bench::Seed{pile(p)}; }),
+              dry_friction(std::atan(k_friction) * 180 / M_PI),
+              numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open), 1);
+    flow.advance_to(60);
+    const auto place = [&](std::int64_t row, std::int64_t column) {
+        return grid.local_from_map(grid.cell_centre(row, column));
+    };
+    const auto for_cells = [&](const auto& visit) {
+        for (std::int64_t row = 0; row < grid.rows; ++row)
+            for (std::int64_t column = 0; column < grid.columns; ++column)
+                visit(place(row, column), bed.at(row, column), flow.nodes().index(column, grid.rows - 1 - row));
+    };
+    double greatest = 0;
+    for_cells(
+        [&](Point, double, std::size_t node) { greatest = std::max(greatest, flow.maxima().speed.data()[node]); });
+    EXPECT_GT(greatest, 50);
+    int fast = 0;
+    double most = 0;
+    for_cells([&](Point at, double z, std::size_t node) {
+        const double speed = flow.maxima().speed.data()[node];
+        if (speed < 0.75 * greatest || pile(at) > 0) return;
+        ++fast;
+        double bound = 0;
+        for_cells([&](Point from, double top, std::size_t) {
+            if (pile(from) > 0)
+                bound = std::max(bound, top + pile(from) - z - k_friction * std::hypot(at.x - from.x, at.y - from.y));
+        });
+        most = std::max(most, 0.5 * speed * speed / (k_gravity * bound));
+    });
+    EXPECT_LE(most, 1);
+    EXPECT_GT(fast, 300);
+}
+
 // g sin(theta) = g cos(theta) tan(phi) + g v^2 / (xi d) along the bed, d = h cos(theta); map speed v
 // cos(theta).
 TEST(VoellmyPlane, ReachesTheTerminalSpeed) {
