@@ -13,10 +13,11 @@ int main(int argc, char** argv) {
         {"bindo", frana::sample::write_bindo_sample},
         {"flume", frana::sample::write_flume_sample},
         {"fracture", frana::sample::write_fracture_sample},
-        {"region", frana::sample::write_region_sample}};
+        {"region", frana::sample::write_region_sample},
+        {"reservoir", frana::sample::write_reservoir_sample}};
     const auto sample = argc == 3 ? samples.find(argv[1]) : samples.end();
     if (sample == samples.end()) {
-        std::cerr << "usage: generate_sample bindo|flume|fracture|region DIR\n";
+        std::cerr << "usage: generate_sample bindo|flume|fracture|region|reservoir DIR\n";
         return 2;
     }
     try {

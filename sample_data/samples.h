@@ -28,4 +28,8 @@ void write_flume_sample(const std::string& folder);
 /// blocks, break_block.geojson and valley_block.geojson. The folder must exist. Throws Error(environment).
 void write_fracture_sample(const std::string& folder);
 
+/// Writes a valley behind a dam with a breach down to its floor, and the plain below, in plain metres, cells of 10 m:
+/// dtm.tif, and the valley's outline, lake.geojson. The folder must exist. Throws Error(environment).
+void write_reservoir_sample(const std::string& folder);
+
 }  // namespace frana::sample

@@ -98,7 +98,11 @@ class Error : public std::runtime_error {
 /// Collects all problems of a scene so that they are reported in one pass.
 class Problems {
   public:
+    /// One that is there already is not added again.
     void add(Problem problem);
+    void add(const Problems& others) {
+        for (const Problem& problem : others.list_) add(problem);
+    }
     /// Adds the problems of an Error of kind input; rethrows any other kind.
     void add(const Error& error);
     [[nodiscard]] bool empty() const noexcept { return list_.empty(); }

@@ -4,10 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <map>
+#include <memory>
 #include <set>
 
 #include "core/error.h"
+#include "mpm/boundary.h"
+#include "mpm/node_grid.h"
+#include "mpm/shape.h"
 #include "particles/seeding.h"
 #include "simulation/scene.h"
 
@@ -145,10 +150,28 @@ void scale_to(double volume, std::vector<ParticleSet>& filled, std::vector<Relea
     for (std::size_t i = 0; i < filled.size(); ++i) scale_by(volume / sum, filled[i], areas[i]);
 }
 
+// The bed that is computed with: the cells' own of finite volumes; of particles that of the nodes' splines.
+std::function<double(Point)> computed_bed(const Scene& scene) {
+    if (scene.structured || scene.numerics.scheme == Scheme::finite_volume)
+        return [&scene](Point local) {
+            const Cell c = cell_of(scene.grid, local);
+            return scene.terrain.at(c.row, c.column);
+        };
+    auto nodes = std::make_shared<NodeGrid>(scene.terrain);
+    if (scene.numerics.boundary == Boundary::wall) mirror_bed(*nodes);
+    return [nodes](Point local) {
+        nodes->cover_round(local);
+        const Stencil<QuadraticSplineShape> stencil(local.x, local.y, nodes->scale());
+        return interpolate(stencil, nodes->bed.data(), nodes->stride()).value + nodes->datum();
+    };
+}
+
 // Seeds one area's particles and returns the actual release.
 ReleasedArea fill_area(const Scene& scene, const ReleaseArea& area, ParticleSet& particles) {
     const GridSpec& grid = scene.grid;
+    const auto bed = area.level ? computed_bed(scene) : nullptr;
     const auto thickness = [&](Point local) {
+        if (bed) return *area.level - bed(local);
         double t = area.thickness_raster ? sample(*area.thickness_raster, grid, local) : area.thickness;
         if (area.normal_to_bed && t > 0) {
             const Point g = gradient(scene.terrain, cell_of(grid, local));

@@ -79,6 +79,9 @@ struct ReleaseArea {
     std::optional<Raster> thickness_raster{};  ///< on the working grid; NaN or <= 0: nothing released there
     std::optional<double> volume{};            ///< [m3]: the thickness is scaled to release this volume
     bool normal_to_bed = false;                ///< thickness measured normal to the bed; false: vertically
+    /// Elevation of a still surface [m]: the thickness is that over the bed that is computed with, and the raster only
+    /// tells it. None: the thickness as given.
+    std::optional<double> level{};
     double start = 0;                          ///< time of failure [s]; its material is at rest until then
     double speed = 0;                          ///< at the start, along the bed [m/s]
     /// Direction of that speed, clockwise from the grid's north [rad]; none: down the mean slope.

@@ -29,7 +29,6 @@
 #include "app/publish/summary.h"
 #include "app/store/recorded_inputs.h"
 #include "app/store/result_directory.h"
-#include "app/study/plan/read_calibration.h"
 #include "app/study/plan/read_study.h"
 #include "app/text/number_text.h"
 #include "app/text/text_table.h"
@@ -320,18 +319,17 @@ int cmd_check(const Arguments& arguments) {
     RunLog log(false);
     const bool json = values->count("json") > 0;
     const Session session = session_of(*values, log);
-    if (const std::string file = (*values)["operand"].as<std::string>();
-        study::is_study(file) || study::is_region(file) || study::is_calibration(file)) {
+    const std::string file = (*values)["operand"].as<std::string>();
+    if (const auto kind = study::study_kind(file)) {
         if (!text_options(*values, "set").empty())
             throw Error(ErrorKind::input, Problem{"is for scenes: a study sets its keys itself", "--set", "", "",
                                                   "Set the key in the study's scene"});
-        const auto check = study::is_calibration(file) ? check_calibration : check_study;
-        const Json document = check(file, text_option(*values, "out"), threads, !json, session, log);
+        const Json document = check_study(file, *kind, text_option(*values, "out"), threads, !json, session, log);
         if (json) print_document(document);
         return static_cast<int>(ExitCode::done);
     }
     const std::vector<std::string> set = text_options(*values, "set");
-    SceneReading reading = read_scene((*values)["operand"].as<std::string>(), set, share_directory());
+    SceneReading reading = read_scene(file, set, share_directory());
     reading.session = session;
     find_recorded_inputs(reading, log);
     // Whether an existing result may be replaced is checked when the scene is run.

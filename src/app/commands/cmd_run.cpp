@@ -23,7 +23,6 @@
 #include "app/store/result_directory.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
-#include "app/study/plan/read_calibration.h"
 #include "app/study/plan/read_study.h"
 #include "app/text/number_text.h"
 #include "app/text/version.h"
@@ -296,9 +295,10 @@ void require_scene(const std::string& file) {
         throw Error(ErrorKind::input, Problem{"is " + what + ", not a scene", file, "", "",
                                               "`frana " + command + " " + file + "` runs it"});
     };
-    if (study::is_region(file)) refuse("a region of many slopes", "batch");
-    if (study::is_study(file)) refuse("a study of many runs", "ensemble");
-    if (study::is_calibration(file)) refuse("a calibration", "calibrate");
+    const auto kind = study::study_kind(file);
+    if (kind == study::StudyKind::region) refuse("a region of many slopes", "batch");
+    if (kind == study::StudyKind::ensemble) refuse("a study of many runs", "ensemble");
+    if (kind == study::StudyKind::calibration) refuse("a calibration", "calibrate");
 }
 
 int run_scene(const boost::program_options::variables_map& values, std::string& target, RunLog& log) {

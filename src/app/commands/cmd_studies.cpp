@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 
@@ -182,6 +181,7 @@ struct MembersRun {
     std::size_t members = 0;   ///< that belong to it
     std::size_t computed = 0;  ///< of these in this session
     int stopped_by = 0;        ///< a signal
+    std::optional<study::CalibrationRuns> calibration;
 };
 
 /// Runs the members below `end` with a runner of their own: importance sampling's table grows.
@@ -194,7 +194,7 @@ bool run_until(const study::StudyInput& input, const study::RunSetting& setting,
     return complete;
 }
 
-MembersRun run_members(const study::StudyInput& input, const study::RunSetting& setting) {
+MembersRun run_sample(const study::StudyInput& input, const study::RunSetting& setting) {
     const std::size_t all = input.table.size();
     MembersRun ran;
     for (std::size_t end = 0;;) {
@@ -220,80 +220,49 @@ MembersRun run_rounds(study::StudyInput& input, const study::RunSetting& setting
     return ran;
 }
 
-/// A study of many runs of one scene, or a region of many slopes.
-struct ManyRuns {
-    using Texts = study::StudyTexts;
-    using Input = study::StudyInput;
-    static constexpr const char *k_name = "study", *k_members = "members";
+MembersRun run_members(study::StudyInput& input, const study::RunSetting& setting, RunLog& log) {
+    if (!input.spec().is_calibration())
+        return input.table.parts.empty() ? run_sample(input, setting) : run_rounds(input, setting);
+    MembersRun ran;
+    ran.calibration = study::run_calibration(input, setting, log);
+    if (ran.calibration)
+        ran.computed = ran.calibration->computed;
+    else
+        ran.stopped_by = stop_signal();
+    return ran;
+}
 
-    static Texts read(const std::string& file, const Session& session, RunLog& log,
-                      const std::optional<std::int64_t>& samples = std::nullopt) {
-        return study::read_study_texts(file, session, log, samples);
-    }
-    static const study::StudySpec& study_of(const Texts& texts) { return texts.reading.study; }
-    static std::span<const study::StudyTexts> scenes(const Texts& texts) { return {&texts, 1}; }
-    static Problems& problems(Texts& texts) { return texts.central.problems; }
-    static std::string place(const Texts& texts) { return study_directory(texts.reading.study, texts.central.scene); }
-    static Input prepare(Texts texts, const std::optional<Problem>& place, RunLog& log) {
-        Input input = study::prepare_study(std::move(texts), place, log);
-        study::warn_of_unknown_exposure(input, log);
-        return input;
-    }
-    static study::RankStudies for_rank(Input input) {
-        study::RankStudies own;
-        own.studies.push_back(std::move(input));
-        own.identity = own.studies.front().identity;
-        return own;
-    }
-    static void load_drawing(const Input& input) { study::load_study_drawing(input, Loading::now); }
-    static std::span<const study::StudyInput> studies(const Input& input) { return {&input, 1}; }
+study::StudyOutcome publish(study::StudyInput& input, const MembersRun& ran, int threads, const Stopwatch& since_start,
+                            ResultDirectory& directory, RunLog& log) {
+    if (ran.calibration)
+        return study::publish_calibration(input, *ran.calibration, threads, since_start, directory, log);
+    input.base.result_folder = directory.target();
+    if (input.spec().is_extensible()) study::join_records(directory.folder());
+    return study::publish_study(input, ran.members, ran.computed, threads, since_start, directory, log);
+}
 
-    static MembersRun run(Input& input, const study::RunSetting& setting, RunLog&) {
-        return input.table.parts.empty() ? run_members(input, setting) : run_rounds(input, setting);
-    }
-    static study::StudyOutcome publish(Input& input, const MembersRun& ran, int threads, const Stopwatch& since_start,
-                                       ResultDirectory& directory, RunLog& log) {
-        input.base.result_folder = directory.target();
-        if (input.reading.study.is_extensible()) study::join_records(directory.folder());
-        return study::publish_study({input, ran.members, ran.computed, threads, since_start}, directory, log);
-    }
+/// Words for a kind of study in messages: itself, and what it runs.
+struct StudyWords {
+    const char *name, *members;
 };
+StudyWords words_of(study::StudyKind kind) {
+    return kind == study::StudyKind::calibration ? StudyWords{"calibration", "runs"} : StudyWords{"study", "members"};
+}
 
-/// A calibration by one or several events.
-struct CalibrationByEvents {
-    using Texts = study::CalibrationTexts;
-    using Input = study::CalibrationInput;
-    static constexpr const char *k_name = "calibration", *k_members = "runs";
-    struct Ran : MembersRun {
-        std::optional<study::CalibrationRuns> runs;
-    };
+/// The files that a study needs: its result must not replace them.
+std::vector<std::string> files_of(const study::StudyTexts& texts) {
+    std::vector<std::string> files = input_files(texts.central.scene);
+    files.push_back(texts.reading.study.file);
+    for (const study::StudyTexts& event : texts.events)
+        for (std::string& file : input_files(event.central.scene)) files.push_back(std::move(file));
+    return files;
+}
 
-    static Texts read(const std::string& file, const Session& session, RunLog& log,
-                      const std::optional<std::int64_t>& = std::nullopt) {
-        return study::read_calibration_texts(file, session, log);
-    }
-    static const study::StudySpec& study_of(const Texts& texts) { return texts.reading.calibration.study; }
-    static std::span<const study::StudyTexts> scenes(const Texts& texts) { return texts.events; }
-    static Problems& problems(Texts& texts) { return texts.problems; }
-    static std::string place(const Texts& texts) { return calibration_directory(texts.first_scene.scene); }
-    static Input prepare(Texts texts, const std::optional<Problem>& place, RunLog& log) {
-        return study::prepare_calibration(std::move(texts), place, log);
-    }
-    static study::RankStudies for_rank(Input input) { return study::studies_of(std::move(input)); }
-    static void load_drawing(const Input& input) { study::load_calibration_drawing(input, Loading::now); }
-    static std::span<const study::StudyInput> studies(const Input& input) { return input.own; }
-
-    static Ran run(Input& input, const study::RunSetting& setting, RunLog& log) {
-        Ran ran{{}, study::run_calibration(input, setting, log)};
-        if (ran.runs) ran.computed = ran.runs->computed;
-        if (!ran.runs) ran.stopped_by = stop_signal();
-        return ran;
-    }
-    static study::StudyOutcome publish(Input& input, const Ran& ran, int threads, const Stopwatch& since_start,
-                                       ResultDirectory& directory, RunLog& log) {
-        return study::publish_calibration(input, *ran.runs, threads, since_start, directory, log);
-    }
-};
+study::StudyInput prepared(study::StudyTexts texts, const std::optional<Problem>& place, RunLog& log) {
+    study::StudyInput input = study::prepare_study(std::move(texts), place, log);
+    if (!input.spec().is_calibration()) study::warn_of_unknown_exposure(input, log);
+    return input;
+}
 
 /// Members that are there already are those of this study. Throws Error(input).
 /// @param left an unfinished study that is continued  @param finished one that gets more members; empty: none
@@ -306,16 +275,27 @@ void require_same_members(const std::string& identity, const std::string& left, 
                        finished);
 }
 
+/// Throws Error(input) for a region, or for what is none.
+void require_kind(const std::string& file, study::StudyKind kind) {
+    const bool is_region = study::study_kind(file) == study::StudyKind::region;
+    if (is_region && kind != study::StudyKind::region)
+        throw Error(ErrorKind::input, Problem{"is a region of many slopes", file, "", "a study, with [study]",
+                                              "Run it with `frana batch`"});
+    if (!is_region && kind == study::StudyKind::region)
+        throw Error(ErrorKind::input,
+                    Problem{"has no section [region]", file, "", "",
+                            "A single scene runs with `frana run`, a study with `frana ensemble`; a region names its "
+                            "scene under [region]"});
+}
+
 /// Runs the members of a study, region or calibration and writes what they say together. Returns the exit code; throws
 /// Error.
-/// @param check_file throws Error(input) for the file of another command
-template <class Kind>
-int run_study(const CommandForm& form, void (*check_file)(const std::string& file), const Arguments& arguments) {
+int run_study(const CommandForm& form, study::StudyKind kind, const Arguments& arguments) {
     const Stopwatch since_start;
     const auto values = parse_arguments(form, arguments);
     if (!values) return static_cast<int>(ExitCode::done);
     const std::string file = (*values)["operand"].as<std::string>();
-    check_file(file);
+    require_kind(file, kind);
     OtherRanks ranks;
     const auto more = text_option(*values, "extend");
     if (more && ranks.job)
@@ -323,9 +303,9 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
                     Problem{"cannot be used under mpirun", "--extend", *more, "", "Start one process"});
     const int threads = ranks.job && values->count("threads") == 0 ? 1 : thread_count(*values);
     if (ranks.job && ranks.job->rank() > 0) {
-        const auto read = [&file] {
+        const auto read = [&] {
             RunLog silent(true);
-            return Kind::for_rank(Kind::prepare(Kind::read(file, {}, silent), std::nullopt, silent));
+            return prepared(study::read_study_texts(file, kind, {}, silent), std::nullopt, silent);
         };
         study::work_for_rank_0(*ranks.job, read, file, threads);
         return static_cast<int>(ExitCode::done);
@@ -335,32 +315,33 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
     RunLog log(quiet);
     const Session session = session_of(*values, log);
 
-    typename Kind::Texts texts = Kind::read(file, session, log);
+    study::StudyTexts texts = study::read_study_texts(file, kind, session, log);
     const auto out = text_option(*values, "out");
-    const std::string place = out.value_or(Kind::place(texts)), target = result_path(place);
-    if (more) texts = Kind::read(file, session, log, extended_samples(Kind::study_of(texts), target, *more));
+    const std::string place = out.value_or(study_directory(texts.reading.study, texts.central.scene)),
+                      target = result_path(place);
+    if (more)
+        texts = study::read_study_texts(file, kind, session, log, extended_samples(texts.reading.study, target, *more));
     const std::string interrupted = interrupted_study(target);
     const bool may_be_complete = resume && !overwrite && interrupted.empty() && has_files(target);
-    std::vector<std::string> inputs{Kind::study_of(texts).file};
-    for (const study::StudyTexts& one : Kind::scenes(texts))
-        for (std::string& input : input_files(one.central.scene)) inputs.push_back(std::move(input));
     std::optional<Problem> place_problem;
     if (!may_be_complete)
-        place_problem = check_result_directory(place, overwrite ? Older::replaced : Older::refused, inputs,
-                                               out ? "--out" : "the result's place", Kind::problems(texts));
-    if (!resume && !discards) refuse_to_discard(target, interrupted, Kind::problems(texts));
-    log.note(std::string(k_program) + " " + k_version + ", study " + Kind::study_of(texts).file + ", " +
+        place_problem = check_result_directory(place, overwrite ? Older::replaced : Older::refused, files_of(texts),
+                                               out ? "--out" : "the result's place", texts.central.problems);
+    if (!resume && !discards) refuse_to_discard(target, interrupted, texts.central.problems);
+    log.note(std::string(k_program) + " " + k_version + ", study " + texts.reading.study.file + ", " +
              std::to_string(threads) + " threads");
-    typename Kind::Input input = Kind::prepare(std::move(texts), place_problem, log);
+    study::StudyInput input = prepared(std::move(texts), place_problem, log);
+    const StudyWords words = words_of(kind);
     if (may_be_complete && is_complete(input.identity, target)) {
-        log.info(std::string("the ") + Kind::k_name + " is complete: " + target);
+        log.info(std::string("the ") + words.name + " is complete: " + target);
         remove_working_files(target, false, log);
         return static_cast<int>(ExitCode::done);
     }
-    Kind::load_drawing(input);
-    for (const study::StudyInput& one : Kind::studies(input))
-        refuse_study_beyond_memory(one, forecast_study(one, threads, false), threads,
+    for (const study::StudyInput* one : input.studies()) {
+        load_drawing(one->base.spec.output.maps.front() != "off", false, Loading::now);
+        refuse_study_beyond_memory(*one, forecast_study(*one, threads, false), threads,
                                    ranks.job ? ranks.job->ranks_here() : 1);
+    }
     const std::string left = resume ? interrupted : "";
     require_same_members(input.identity, left, more ? target : "");
 
@@ -375,32 +356,18 @@ int run_study(const CommandForm& form, void (*check_file)(const std::string& fil
     }
     if (ranks.pool) ranks.pool->start(input.identity);
     const int all_threads = threads * (ranks.job ? ranks.job->size() : 1);
-    const auto ran = Kind::run(input, {directory.folder(), threads, quiet, ranks.pool.get()}, log);
+    const MembersRun ran = run_members(input, {directory.folder(), threads, quiet, ranks.pool.get()}, log);
     ranks.release();
     if (ran.stopped_by != 0) {
-        log.info(std::string("the ") + Kind::k_name + " was stopped after " +
-                 std::to_string(study::count_records(directory.folder())) + " " + Kind::k_members +
+        log.info(std::string("the ") + words.name + " was stopped after " +
+                 std::to_string(study::count_records(directory.folder())) + " " + words.members +
                  ": the same command with --resume runs the others");
         return static_cast<int>(ExitCode::signal) + ran.stopped_by;
     }
-    log.note("computed " + std::to_string(ran.computed) + " " + Kind::k_members + " in " +
+    log.note("computed " + std::to_string(ran.computed) + " " + words.members + " in " +
              number_text(since_start.seconds(), 3) + " s");
-    const study::StudyOutcome outcome = Kind::publish(input, ran, all_threads, since_start, directory, log);
+    const study::StudyOutcome outcome = publish(input, ran, all_threads, since_start, directory, log);
     return publish_result(input.identity, outcome, values->count("strict") > 0, directory, log);
-}
-
-void refuse_region(const std::string& file) {
-    if (study::is_region(file))
-        throw Error(ErrorKind::input, Problem{"is a region of many slopes", file, "", "a study, with [study]",
-                                              "Run it with `frana batch`"});
-}
-
-void require_region(const std::string& file) {
-    if (!study::is_region(file))
-        throw Error(ErrorKind::input,
-                    Problem{"has no section [region]", file, "", "",
-                            "A single scene runs with `frana run`, a study with `frana ensemble`; a region names its "
-                            "scene under [region]"});
 }
 
 }  // namespace
@@ -417,7 +384,7 @@ CommandForm ensemble_form() {
 }
 
 int cmd_ensemble(const Arguments& arguments) {
-    return run_study<ManyRuns>(ensemble_form(), refuse_region, arguments);
+    return run_study(ensemble_form(), study::StudyKind::ensemble, arguments);
 }
 
 CommandForm batch_form() {
@@ -429,7 +396,7 @@ CommandForm batch_form() {
 }
 
 int cmd_batch(const Arguments& arguments) {
-    return run_study<ManyRuns>(batch_form(), require_region, arguments);
+    return run_study(batch_form(), study::StudyKind::region, arguments);
 }
 
 CommandForm calibrate_form() {
@@ -441,8 +408,7 @@ CommandForm calibrate_form() {
 }
 
 int cmd_calibrate(const Arguments& arguments) {
-    return run_study<CalibrationByEvents>(
-        calibrate_form(), [](const std::string&) {}, arguments);
+    return run_study(calibrate_form(), study::StudyKind::calibration, arguments);
 }
 
 }  // namespace frana::app

@@ -18,7 +18,6 @@
 #include "app/store/result_directory.h"
 #include "app/study/plan/calibration_input.h"
 #include "app/study/plan/region_input.h"
-#include "app/study/publish/publish_calibration.h"
 #include "app/study/publish/scheme_check.h"
 #include "app/study/publish/study_files.h"
 #include "app/text/number_text.h"
@@ -229,7 +228,8 @@ double StudyForecast::member_seconds() const noexcept {
 }
 
 std::string study_directory(const study::StudySpec& study, const SceneSpec& scene) {
-    return output_directory(scene) + (study.region ? "-region" : "-ensemble");
+    constexpr const char* k_endings[] = {"-ensemble", "-region", "-calibration"};
+    return output_directory(scene) + k_endings[static_cast<std::size_t>(study.kind)];
 }
 
 StudyForecast forecast_study(const study::StudyInput& input, int threads, bool with_trial) {
@@ -263,60 +263,11 @@ void refuse_study_beyond_memory(const study::StudyInput& input, const StudyForec
                 bound_text(bound), "Use fewer --threads or ranks, larger cells, or provide more memory"});
 }
 
-Json check_study(const std::string& path, const std::optional<std::string>& out, int threads, bool print,
-                 const Session& session, RunLog& log) {
-    study::StudyTexts texts = study::read_study_texts(path, session, log);
-    const std::string directory = out.value_or(study_directory(texts.reading.study, texts.central.scene));
-    const std::optional<Problem> place = check_result_directory(
-        directory, Older::unknown, {}, out ? "--out" : "the result's place", texts.central.problems);
-    const study::StudyInput input = study::prepare_study(std::move(texts), place, log);
-    study::load_study_drawing(input, Loading::later);
-    const StudyForecast forecast = forecast_study(input, threads, true);
-    refuse_study_beyond_memory(input, forecast, threads);
-    const study::StudySpec& study = input.reading.study;
-    std::vector<SlopePlan> plans;
-    for (std::size_t i = 0; i < input.slopes.size(); ++i) plans.push_back(plan_of(input, i));
-    StudyCost cost;
-    cost.add(forecast, members_of(input, plans));
-    cost.may_end_early = study.until.has_value();
-    const auto& exposed = input.base.extra.exposure;
-    if (print) {
-        std::printf("%s %s is ready to run.\n\nScene %s\n\n", study.region ? "Region" : "Study", study.file.c_str(),
-                    study.scene.c_str());
-        study.region ? print_slopes(input, plans) : print_members(input);
-        if (exposed) print_fact("exposed", grouped(static_cast<double>(exposed->features.size())) + " features");
-        if (const auto scheme = study::common_scheme(input))
-            print_fact("scheme", word_of(*scheme, k_schemes) + "; two members again by the other one, as a check");
-        if (input.base.friction)
-            print_fact("friction",
-                       study::shown_friction(input).of + ": " + friction_text(input.base.friction->choice()).text());
-        print_defaults(input.base);
-        print_end(cost, threads, directory);
-    }
-    warn_of_release(input.base.scene, log);
-    study::warn_of_unknown_exposure(input, log);
-    Json json = document_of("check");
-    Warnings warnings = input.base.scene.warnings;
-    json["warnings"] = texts_of(warnings += log.take_warnings());
-    json["study"] = study.file;
-    json["scene"] = study.scene;
-    json["members"] = input.members();
-    json["sampling"] = study::name_of(study.sampling);
-    json["keys"] = input.table.keys;
-    for (const study::TableColumn& column : input.table.columns)
-        json["columns"].push_back({{"name", column.name}, {"use", use_of(column.use)}});
-    add_defaults(input.base, json);
-    if (study.region) json["slopes"] = slopes_json(input, plans);
-    if (exposed) json["exposed_features"] = exposed->features.size();
-    add_end(cost, threads, directory, json);
-    return json;
-}
-
 namespace {
 
-void print_event(const study::CalibrationInput& input, std::size_t e) {
+void print_event(const study::StudyInput& input, std::size_t e) {
     const study::EventSpec& event = input.spec().events[e];
-    print_fact(event.name, event.members.study.scene);
+    print_fact(event.name, event.scene);
     std::vector<std::string> measures;
     for (const study::Weight& one : input.spec().objective)
         if (const study::MeasureRow& row = study::row_of(one.measure);
@@ -326,61 +277,91 @@ void print_event(const study::CalibrationInput& input, std::size_t e) {
     print_fact("", "cells of " + shortest_text(input.own[e].base.scene.grid.cell_size) + " m");
 }
 
-void print_calibration(const study::CalibrationInput& input) {
-    const study::CalibrationSpec& calibration = input.spec();
-    std::printf("Calibration %s is ready to run.\n\nEvents\n", calibration.study.file.c_str());
+void print_calibration(const study::StudyInput& input) {
+    const study::StudySpec& calibration = input.spec();
+    std::printf("Events\n");
     for (std::size_t e = 0; e < input.events(); ++e) print_event(input, e);
     std::printf("\nKeys that vary\n");
-    print_keys(calibration.study.vary);
+    print_keys(calibration.vary);
     for (const study::EventSpec& event : calibration.events) print_keys(event.vary, " of " + event.name);
-    print_correlations(calibration.study);
+    print_correlations(calibration);
     std::printf("\nMembers\n");
     print_fact("members", std::to_string(input.design.size()) + " first, then until the intervals settle, at most " +
-                              std::to_string(calibration.study.samples) + ", each for " +
-                              std::to_string(input.events()) + (input.events() == 1 ? " event" : " events") +
-                              "; sampling " + study::name_of(calibration.study.sampling) + ", seed " +
-                              std::to_string(calibration.study.seed));
+                              std::to_string(calibration.samples) + ", each for " + std::to_string(input.events()) +
+                              (input.events() == 1 ? " event" : " events") + "; sampling " +
+                              study::name_of(calibration.sampling) + ", seed " + std::to_string(calibration.seed));
+}
+
+/// What a study or a region says of its only scene.
+void print_scene(const study::StudyInput& input) {
+    if (const auto& exposed = input.base.extra.exposure)
+        print_fact("exposed", grouped(static_cast<double>(exposed->features.size())) + " features");
+    if (const auto scheme = study::common_scheme(input))
+        print_fact("scheme", word_of(*scheme, k_schemes) + "; two members again by the other one, as a check");
+    if (input.base.friction)
+        print_fact("friction",
+                   study::shown_friction(input).of + ": " + friction_text(input.base.friction->choice()).text());
+    print_defaults(input.base);
+}
+
+void add_scene(const study::StudyInput& input, const std::vector<SlopePlan>& plans, Json& json) {
+    json["scene"] = input.spec().scene;
+    json["sampling"] = study::name_of(input.spec().sampling);
+    json["keys"] = input.table.keys;
+    for (const study::TableColumn& column : input.table.columns)
+        json["columns"].push_back({{"name", column.name}, {"use", use_of(column.use)}});
+    add_defaults(input.base, json);
+    if (input.spec().region) json["slopes"] = slopes_json(input, plans);
+    if (const auto& exposed = input.base.extra.exposure) json["exposed_features"] = exposed->features.size();
 }
 
 }  // namespace
 
-std::string calibration_directory(const SceneSpec& scene) {
-    return output_directory(scene) + "-calibration";
-}
-
-Json check_calibration(const std::string& path, const std::optional<std::string>& out, int threads, bool print,
-                       const Session& session, RunLog& log) {
-    study::CalibrationTexts texts = study::read_calibration_texts(path, session, log);
-    const std::string directory = out.value_or(calibration_directory(texts.first_scene.scene));
-    const std::optional<Problem> place =
-        check_result_directory(directory, Older::unknown, {}, out ? "--out" : "the result's place", texts.problems);
-    const study::CalibrationInput input = study::prepare_calibration(std::move(texts), place, log);
-    study::load_calibration_drawing(input, Loading::later);
-    const study::CalibrationSpec& calibration = input.spec();
+Json check_study(const std::string& path, study::StudyKind kind, const std::optional<std::string>& out, int threads,
+                 bool print, const Session& session, RunLog& log) {
+    study::StudyTexts texts = study::read_study_texts(path, kind, session, log);
+    const std::string directory = out.value_or(study_directory(texts.reading.study, texts.central.scene));
+    const std::optional<Problem> place = check_result_directory(
+        directory, Older::unknown, {}, out ? "--out" : "the result's place", texts.central.problems);
+    const study::StudyInput input = study::prepare_study(std::move(texts), place, log);
+    const study::StudySpec& study = input.spec();
+    std::vector<SlopePlan> plans;
+    for (std::size_t i = 0; i < input.slopes.size(); ++i) plans.push_back(plan_of(input, i));
     StudyCost cost;
-    cost.may_end_early = true;
-    for (const study::StudyInput& event : input.own) {
-        const StudyForecast forecast = forecast_study(event, threads, true);
-        refuse_study_beyond_memory(event, forecast, threads);
-        cost.add(forecast, static_cast<double>(calibration.study.samples));
+    cost.may_end_early = study.is_calibration() || study.until;
+    for (const study::StudyInput* one : input.studies()) {
+        load_drawing(one->base.spec.output.maps.front() != "off", false, Loading::later);
+        const StudyForecast forecast = forecast_study(*one, threads, true);
+        refuse_study_beyond_memory(*one, forecast, threads);
+        cost.add(forecast, study.is_calibration() ? static_cast<double>(study.samples) : members_of(*one, plans));
     }
     if (print) {
-        print_calibration(input);
+        constexpr const char* k_names[] = {"Study", "Region", "Calibration"};
+        std::printf("%s %s is ready to run.\n\n", k_names[static_cast<std::size_t>(kind)], study.file.c_str());
+        if (!study.is_calibration()) std::printf("Scene %s\n\n", study.scene.c_str());
+        study.is_calibration() ? print_calibration(input)
+        : study.region         ? print_slopes(input, plans)
+                               : print_members(input);
+        if (!study.is_calibration()) print_scene(input);
         print_end(cost, threads, directory);
     }
     Warnings warnings;
-    for (const study::StudyInput& event : input.own) {
-        warn_of_release(event.base.scene, log);
-        warnings += event.base.scene.warnings;
+    for (const study::StudyInput* one : input.studies()) {
+        warn_of_release(one->base.scene, log);
+        if (!study.is_calibration()) study::warn_of_unknown_exposure(*one, log);
+        warnings += one->base.scene.warnings;
     }
     Json json = document_of("check");
     json["warnings"] = texts_of(warnings += log.take_warnings());
-    json["study"] = calibration.study.file;
-    json["events"] = Json::array();
-    for (const study::EventSpec& event : calibration.events)
-        json["events"].push_back({{"name", event.name}, {"scene", event.members.study.scene}});
-    json["members"] = calibration.study.samples;
-    json["first_members"] = input.design.size();
+    json["study"] = study.file;
+    json["members"] = study.is_calibration() ? static_cast<std::size_t>(study.samples) : input.members();
+    if (study.is_calibration()) {
+        json["first_members"] = input.design.size();
+        for (const study::EventSpec& event : study.events)
+            json["events"].push_back({{"name", event.name}, {"scene", event.scene}});
+    } else {
+        add_scene(input, plans, json);
+    }
     add_end(cost, threads, directory, json);
     return json;
 }

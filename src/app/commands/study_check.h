@@ -13,14 +13,6 @@
 
 namespace frana::app {
 
-/// Returns where a calibration's result goes without --out: beside that of its first scene.
-std::string calibration_directory(const SceneSpec& scene);
-
-/// `frana check` of a calibration: with `print`, prints events, keys, members and forecasts to stdout; returns the
-/// document of --json. Throws Error(input).
-Json check_calibration(const std::string& path, const std::optional<std::string>& out, int threads, bool print,
-                       const Session& session, RunLog& log);
-
 /// Prints the density with its origin, and the keys whose default decides a number on the map.
 void print_defaults(const Prepared& prepared);
 /// Adds the same to the document of --json.
@@ -48,9 +40,9 @@ void refuse_study_beyond_memory(const study::StudyInput& input, const StudyForec
 /// Returns where a study's result goes without --out: beside that of its scene.
 std::string study_directory(const study::StudySpec& study, const SceneSpec& scene);
 
-/// `frana check` of a study: with `print`, prints keys, members and forecasts to stdout; returns the
+/// `frana check` of a study of any kind: with `print`, prints keys, members and forecasts to stdout; returns the
 /// document of --json. Throws Error(input).
-Json check_study(const std::string& path, const std::optional<std::string>& out, int threads, bool print,
-                 const Session& session, RunLog& log);
+Json check_study(const std::string& path, study::StudyKind kind, const std::optional<std::string>& out, int threads,
+                 bool print, const Session& session, RunLog& log);
 
 }  // namespace frana::app

@@ -73,7 +73,10 @@ void check_thickness_raster(const SceneReading& reading, const Raster& thickness
     }
     const CellList empty = cells_where(cover, [&](std::size_t i) { return std::isnan(thickness.values[i]); });
     const CellList filled = cells_where(cover, [&](std::size_t i) { return thickness.values[i] > 0; });
-    if (filled.count == 0) {
+    if (filled.count == 0 && reading.scene.release.level) {
+        problems.add({"nothing is released: the level lies below the ground of a polygon",
+                      reading.where("release.level"), "", "", "Correct the level, its height system or the perimeter"});
+    } else if (filled.count == 0) {
         problems.add({"nothing is released: the thickness raster is nowhere positive inside the perimeter", where, "",
                       "", "Check the raster's position and coordinate reference system"});
     } else if (empty.count > 0) {
@@ -124,7 +127,7 @@ std::vector<const ReleaseArea*> different_rasters(const SceneReading& reading, c
     for (const ReleaseArea& area : release.areas) {
         if (!area.thickness_raster) continue;
         areas.push_back(&area);
-        if (!reading.scene.release.thickness->fitted()) break;
+        if (!area.level && !reading.scene.release.thickness->fitted()) break;
     }
     return areas;
 }
@@ -212,8 +215,9 @@ void check_greatest(const SceneReading& reading, const TerrainInput& ground, con
     const auto& volume = reading.scene.release.volume;
     if (volume && volume->kind == SourceSpec::Kind::number) mean = std::max(mean, volume->number / area(outlines));
     if (least < k_least_thickness) greatest = least;
-    if (greatest > 0) check_thickness(greatest, reading.where("release.thickness"), problems);
-    if (problems.empty()) question_raster(std::move(of_raster), std::sqrt(area(outlines)), log);
+    const bool level = reading.scene.release.level.has_value();
+    if (greatest > 0) check_thickness(greatest, reading.where(level ? "release.level" : "release.thickness"), problems);
+    if (problems.empty() && !level) question_raster(std::move(of_raster), std::sqrt(area(outlines)), log);
     if (problems.empty() && !volume) question_mean(release, ground, log);
     if (problems.empty() && volume) question_volume(*volume, release, log);
     if (mean > 0) check_thickness(mean, reading.where("release.volume"), problems);
@@ -223,7 +227,8 @@ void check_greatest(const SceneReading& reading, const TerrainInput& ground, con
 void refuse_elevations(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release,
                        const Raster& cover, Problems& problems) {
     constexpr double k_alike = 0.05, k_least_mean = 30;
-    if (reading.scene.release.thickness->kind == nullptr || !reading.scene.release.thickness->as_in_file()) return;
+    const auto& given = reading.scene.release.thickness;
+    if (!given || !given->as_in_file()) return;
     double apart = 0, all = 0, cells = 0;
     for (const ReleaseArea* area : different_rasters(reading, release)) {
         cover.values.for_each_stored([&](std::size_t cell, double covered) {

@@ -121,7 +121,7 @@ std::optional<std::vector<Origin>> inflow_origins(const SceneReading& reading, c
 std::optional<std::vector<Origin>> origins_of(const SceneReading& reading, const std::string& crs) {
     const SceneSpec& scene = reading.scene;
     std::vector<Origin> all;
-    if (scene.release.perimeter || scene.release.thickness) {
+    if (scene.release.perimeter || scene.release.thickness || scene.release.level) {
         const auto release = release_origin(reading, crs);
         if (!release) return std::nullopt;
         all.push_back(*release);

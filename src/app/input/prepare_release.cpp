@@ -166,6 +166,26 @@ std::vector<ReleaseArea> areas_by_feature(const SceneReading& reading, const gis
     return areas;
 }
 
+/// Returns one area per feature, filled to a level; its thickness over the terrain is told by a raster.
+std::vector<ReleaseArea> areas_to_level(const SceneReading& reading, const gis::PolygonLayer& layer,
+                                        const Raster& ground, Problems& problems) {
+    std::vector<ReleaseArea> areas;
+    for (std::size_t i = 0; i < layer.features.size(); ++i) {
+        const auto level = value_of(reading, "release.level", *reading.scene.release.level, layer, i, problems);
+        if (!level) continue;
+        ReleaseArea area;
+        area.outline = layer.features[i].parts;
+        area.level = *level;
+        area.thickness_raster = Raster(ground.grid);
+        gis::visit_cells(area.outline, ground.grid, gis::Cover::closed, [&](std::int64_t row, std::int64_t column) {
+            area.thickness_raster->at(row, column) = std::max(0.0, *level - ground.at(row, column));
+        });
+        set_details(reading, &layer, i, area, problems);
+        areas.push_back(std::move(area));
+    }
+    return areas;
+}
+
 /// Returns one area per feature with the same thickness raster; one for all if features overlap, so that common area
 /// counts once (then without attributes of their own: that is a problem).
 std::vector<ReleaseArea> areas_of_raster(const SceneReading& reading, const gis::PolygonLayer& layer,
@@ -382,9 +402,15 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
                              RunLog& log, Problems& problems) {
     ReleaseInput release;
     read_perimeter(reading, ground, files, log, problems, release);
-    if (!reading.scene.release.thickness) return release;  // reported when the scene was read
-    const ThicknessSpec& spec = *reading.scene.release.thickness;
-    if (spec.by_raster()) {
+    if (!reading.scene.release.thickness && !reading.scene.release.level)
+        return release;  // reported when the scene was read
+    const ThicknessSpec spec = reading.scene.release.thickness.value_or(ThicknessSpec{});
+    if (reading.scene.release.level) {
+        if (!release.perimeter || ground == nullptr ||
+            !is_on_ground(reading, "release.perimeter", release.perimeter->bounds, *ground, false, problems))
+            return release;
+        release.areas = areas_to_level(reading, *release.perimeter, ground->terrain, problems);
+    } else if (spec.by_raster()) {
         std::optional<Raster> thickness = thickness_raster(reading, spec, ground, release, files, log, problems);
         if (!thickness || (reading.scene.release.perimeter && !release.perimeter)) return release;
         if (release.perimeter) {

@@ -73,6 +73,11 @@ void add_cells(const ReachedPlaces& reached, MemberRecord& record) {
 
 }  // namespace
 
+double value_of(const std::vector<Figure>& figures, const std::string& key) {
+    const auto found = std::find_if(figures.begin(), figures.end(), [&](const Figure& one) { return one.key == key; });
+    return found == figures.end() ? k_no_data : found->value;
+}
+
 const std::vector<float>& MemberRecord::of(Quantity quantity) const noexcept {
     constexpr std::vector<float> MemberRecord::*k_values[] = {&MemberRecord::depth,     &MemberRecord::velocity,
                                                               &MemberRecord::arrival,   &MemberRecord::pressure,

@@ -30,6 +30,9 @@ void serialise(Archive& archive, Figure& figure) {
     archive(key, title, unit, value);
 }
 
+/// Returns the value of a figure; NaN if there is none of this key.
+double value_of(const std::vector<Figure>& figures, const std::string& key);
+
 /// Consecutive cells of a row or of several.
 struct CellRun {
     std::uint64_t first = 0, count = 0;

@@ -15,6 +15,13 @@ namespace frana::app::study {
 /// Points of the unit cube, by member and key: cumulative probabilities of the keys' distributions.
 using Places = std::vector<std::vector<double>>;
 
+/// The numbers of one key, by member.
+inline std::vector<double> column_of(const std::vector<std::vector<double>>& rows, std::size_t key) {
+    std::vector<double> column;
+    for (const std::vector<double>& row : rows) column.push_back(row[key]);
+    return column;
+}
+
 enum class Law { uniform, log_uniform, normal, log_normal, triangular, choice, gaussian_field };
 
 /// The distribution of one key.
@@ -108,6 +115,65 @@ struct RegionSpec {
     DegreeMatrix degrees;
 };
 
+/// In what a run can differ from what was surveyed.
+enum class Measure { jaccard, area, runout, outline, deposit, deposit_depth, arrival, speed, depth };
+
+/// What a measure needs of an event.
+enum class Evidence { scar, runout, deposit, elevation_change, arrival, speed, depth };
+
+/// A measure with its texts. Its misfit is 0 where run and survey agree, and 1 at most; r(a, b) = |a - b| / max(a, b).
+struct MeasureRow {
+    Measure measure;
+    const char* name;  ///< in [objective] and in tables
+    Evidence needs;
+    const char* formula;
+};
+inline constexpr MeasureRow k_measures[] = {
+    {Measure::jaccard, "jaccard", Evidence::scar, "1 - Jaccard index of trace and surveyed outline"},
+    {Measure::area, "area", Evidence::scar, "r(area of the trace, surveyed area)"},
+    {Measure::runout, "runout", Evidence::runout, "r(simulated run-out, observed run-out)"},
+    {Measure::outline, "outline", Evidence::scar,
+     "d / (d + R): d mean distance of both outlines, R radius of a circle with the surveyed area"},
+    {Measure::deposit, "deposit", Evidence::deposit, "1 - Jaccard index of simulated and surveyed deposit"},
+    {Measure::deposit_depth, "deposit-depth", Evidence::elevation_change,
+     "sum |h - h_obs| / sum (h + h_obs) over the cells of either deposit"},
+    {Measure::arrival, "arrival", Evidence::arrival,
+     "mean over gauges of r(arrival time, observed one); 1: no arrival"},
+    {Measure::speed, "speed", Evidence::speed, "mean over gauges of r(greatest speed, observed one)"},
+    {Measure::depth, "depth", Evidence::depth, "mean over gauges of r(greatest depth, observed one)"}};
+
+struct Weight {
+    Measure measure = Measure::jaccard;
+    double weight = 0;  ///< greater than 0
+};
+
+/// An observed value, at a gauge of the event's scene or the run-out.
+struct GaugeValue {
+    std::string gauge;
+    double value = 0, error = 0;  ///< error: standard deviation; 0: not stated
+};
+
+/// An event that was surveyed.
+struct EventSpec {
+    std::string name;                               ///< letters, digits, '-' and '_': part of names of files
+    std::string scene;                              ///< absolute
+    std::optional<GaugeValue> runout;               ///< observed [m]; none: that of the surveyed outline
+    std::vector<GaugeValue> arrival, speed, depth;  ///< [s], [m/s], [m]
+    std::vector<std::string> set;                   ///< keys of this event alone
+    std::vector<Variation> vary;                    ///< likewise
+};
+
+/// Values observed at gauges: "arrival bridge = 35".
+struct GaugeKind {
+    Evidence evidence;
+    const char *word, *unit;
+    std::vector<GaugeValue> EventSpec::*values;
+    const char* figure;  ///< of a gauge; null: from the record's map
+};
+inline constexpr GaugeKind k_gauge_kinds[] = {{Evidence::arrival, "arrival", "s", &EventSpec::arrival, nullptr},
+                                              {Evidence::speed, "speed", "m/s", &EventSpec::speed, "max_speed_ms"},
+                                              {Evidence::depth, "depth", "m", &EventSpec::depth, "max_depth_m"}};
+
 inline constexpr std::int64_t k_most_samples = 1'000'000;
 /// Importance sampling: the part of all members below which each round ends. The first round is drawn as by `sobol`.
 inline constexpr double k_round_ends[] = {0.5, 0.75, 1};
@@ -120,10 +186,15 @@ inline constexpr double k_least_tries_of_option = 8;
 /// even if they weigh the same, and an interval that is symmetric about so few misses upwards.
 inline constexpr std::size_t k_least_hits = 5;
 
-/// A study as specified in its file; the scene is not read yet.
+/// What a study asks: what may happen where values are uncertain; what each of many slopes does; which values explain
+/// surveyed events: then its members get the weight of a likelihood.
+enum class StudyKind { ensemble, region, calibration };
+
+/// A study as specified in its file; no scene is read yet.
 struct StudySpec {
+    StudyKind kind = StudyKind::ensemble;
     std::string file;              ///< the study file, absolute
-    std::string scene;             ///< absolute
+    std::string scene;             ///< absolute; of a calibration each event has its own
     std::optional<Scheme> scheme;  ///< of all members; none: that of the scene
     std::int64_t samples = 200;
     Sampling sampling = Sampling::sobol;
@@ -136,6 +207,17 @@ struct StudySpec {
     std::vector<Variation> vary;   ///< in the order of the file
     std::vector<Correlation> correlate;
     std::optional<RegionSpec> region;  ///< a polygon for each member
+    double exponent = 5;            ///< calibration: N of the likelihood of an event whose survey has no stated error
+    std::vector<Weight> objective;  ///< calibration
+    std::vector<EventSpec> events;  ///< calibration
+
+    [[nodiscard]] bool is_calibration() const noexcept { return kind == StudyKind::calibration; }
+    /// Returns what varies in all events together: the shared keys, then those of each.
+    [[nodiscard]] StudySpec of_all_events() const;
+    /// Returns the study of one event, with its scene: the shared keys, then its own.
+    [[nodiscard]] StudySpec of_event(std::size_t event) const;
+    /// Place of an event's first own key among those of all events.
+    [[nodiscard]] std::size_t first_own_key(std::size_t event) const;
 
     /// Members of a group of its sampling; 0: no groups.
     [[nodiscard]] std::size_t group_size() const noexcept {

@@ -237,11 +237,16 @@ FRANA_INLINE void sides_of(const CellRow& a, const CellRow& b, const CellRow& c,
     put(0.5, after);
 }
 
+/// Ground between two cells whose rise beyond the slopes beside it is steeper than this is a wall (50 degrees): a bend
+/// of 45 degrees has half as much at each of its faces.
+constexpr double k_sharp = 1.2;
+
 /// The beds on which the flow of both sides meets at a face.
 struct FaceBeds {
     Quad below, above;  ///< [m]
     Quad step;          ///< from one to the other, each of its own cell [m]
     Quad leaps;         ///< 1 where the flow leaps from the higher to the lower, 0 elsewhere
+    Quad lands;         ///< 1 where it keeps the energy of its fall, turned by the ground, 0 elsewhere
 };
 
 /// Flow that goes down, or is fast enough to climb, has one bed at a face where the beds of both cells, each with its
@@ -260,14 +265,17 @@ FRANA_INLINE FaceBeds beds_of(const CellRow& a, const CellRow& b, const CellRow&
                from_above = min(high, max(low, bed_above)), middle = 0.5 * (from_below + from_above);
     const Quad from = select(rises, at(c.normal), at(b.normal)), up = select(rises, at(b.normal), -at(c.normal));
     const auto runs = (select(rises, -at(c.speed), at(b.speed)) > 0) & (from * from > v.gravity * upper);
-    const auto able = (towards > 0) & (0.5 * up * up > v.gravity * abs(dz));
-    const auto climbs = L::none(upper > v.dry) & able, mounts = able & (up * up > v.gravity * lower);
     const Quad step = from_above - from_below,
                corner = dz - 0.5 * (limited<Quad>(zb - at(a.bed), dz) + limited<Quad>(dz, at(d.bed) - zc));
+    // A wall, or the foot of a cliff: sharper than the flow is thick. It takes what is normal to it.
+    const auto sharp = (abs(corner) > k_sharp * v.cell_size) & (abs(dz) > max(hb, hc));
+    const auto able = (towards > 0) & (0.5 * up * up > v.gravity * abs(dz)) & L::none(sharp);
+    const auto climbs = L::none(upper > v.dry) & able, mounts = able & (up * up > v.gravity * lower);
     const auto passes = pours | climbs | mounts, free = passes & (runs | mounts) & (abs(dz) > max(hb, hc)),
-               leaps = free & (corner * dz > 0.5 * dz * dz) & (step * dz > 0),
+               leaps = free & (corner * dz > 0.5 * dz * dz) & (step * dz > 0), lands = leaps & L::none(sharp),
                one_bed = (passes & (0 > step * dz)) | (free & L::none(leaps));
-    return {select(one_bed, middle, from_below), select(one_bed, middle, from_above), step, select(leaps, one, zero)};
+    return {select(one_bed, middle, from_below), select(one_bed, middle, from_above), step, select(leaps, one, zero),
+            select(lands, one, zero)};
 }
 
 /// Faces between the cells of b and c: HLL for mass and normal momentum (Harten, Lax and van Leer 1983), the tangential
@@ -332,7 +340,7 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
     const auto forth = mass > 0;
     const Quad leaves = select(forth, below.normal, -above.normal), drop = select(forth, -step, step),
                arrives = sqrt(max(zero, leaves * leaves + 2 * v.gravity * drop));
-    const Quad gain = select(leaps, abs(mass) * (arrives - max(zero, leaves)), zero) /
+    const Quad gain = select(beds.lands > 0.5, abs(mass) * (arrives - max(zero, leaves)), zero) /
                       max(select(forth, at(c.drive), at(b.drive)), tiny);
     const Quad weight_below = max(at(b.weight), tiny), weight_above = max(at(c.weight), tiny),
                per_weight = level / (weight_below * weight_above);

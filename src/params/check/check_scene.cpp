@@ -215,10 +215,10 @@ void check_required(const SceneSpec& scene, const std::set<std::string>& given, 
         problems.add(
             {"is missing", Place(file, "terrain.dtm"), "", "", "Name the digital terrain model, a raster file"});
     const bool flows_in = !missing("inflow.line");
-    const bool releases = !missing("release.thickness") || !missing("release.perimeter");
-    if (missing("release.thickness") && (releases || !flows_in)) {
-        problems.add(
-            {"is missing", Place(file, "release.thickness"), "", "", "Give " + thickness_forms() + ", or an inflow"});
+    const bool releases = !missing("release.thickness") || !missing("release.level") || !missing("release.perimeter");
+    if (missing("release.thickness") && missing("release.level") && (releases || !flows_in)) {
+        problems.add({"is missing", Place(file, "release.thickness"), "", "",
+                      "Give " + thickness_forms() + ", or release.level, or an inflow"});
     }
     const auto& thickness = scene.release.thickness;
     if (missing("release.perimeter") && !(thickness && thickness->by_raster()) && (releases || !flows_in))
@@ -267,6 +267,7 @@ void check_pairs(const SceneSpec& scene, const std::string& file, Problems& prob
          pores.critical_solid_fraction.has_value(), "Give the solid fraction of steady shear"},
         {"material.critical-solid-fraction", pores.critical_solid_fraction.has_value(), "material.compressibility",
          pores.compressibility.has_value(), "Give it, or remove the key"},
+        {"release.level", by_attribute(release.level), "release.perimeter", outlined, outline_remedy},
         {"release.volume", by_attribute(release.volume), "release.perimeter", outlined, outline_remedy},
         {"release.start", by_attribute(release.start), "release.perimeter", outlined, outline_remedy},
         {"release.velocity", by_attribute(release.velocity), "release.perimeter", outlined, outline_remedy},
@@ -283,8 +284,24 @@ void check_pairs(const SceneSpec& scene, const std::string& file, Problems& prob
     }
 }
 
+/// A level is a thickness of its own.
+void check_level(const ReleaseSpec& release, const std::string& file, Problems& problems) {
+    if (!release.level) return;
+    const auto refuse = [&](bool given, const char* key, const char* why, const char* remedy) {
+        if (given) problems.add({why, Place(file, key), "", "", remedy});
+    };
+    const char* const twice = "contradicts release.level: it decides how much is released";
+    refuse(release.thickness.has_value(), "release.thickness", twice, "Keep one of the two");
+    refuse(release.volume.has_value(), "release.volume", twice, "Remove it: frana check tells the volume");
+    refuse(release.dtm_contains_release, "release.dtm-contains-release",
+           "contradicts release.level, which lies on the DTM", "Set it to off, with the DTM of the lake's bed");
+    refuse(release.thickness_direction == "normal", "release.thickness-direction",
+           "contradicts release.level: a depth of water is vertical", "Remove the key");
+}
+
 /// Checks the keys that together define the thickness.
 void check_thickness(const ReleaseSpec& release, const std::string& file, Problems& problems) {
+    check_level(release, file, problems);
     if (!release.thickness) return;
     const ThicknessSpec& thickness = *release.thickness;
     const ThicknessKind* const kind = thickness.kind;

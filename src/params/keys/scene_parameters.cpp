@@ -165,6 +165,11 @@ void add_release(std::vector<Parameter>& list) {
                                "FILE|layer=NAME selects a layer.",
                                "required, unless thickness comes from rasters: then where it is positive")));
     list.push_back(thickness_parameter());
+    list.push_back(source("release.level", FRANA_MEMBER(release.level), "m", Range{-500, 9000},
+                          {Given::number, Given::attribute},
+                          "Elevation of the still surface of a lake, a reservoir or a tailings pond that is released: it "
+                          "fills the ground within the perimeter. Instead of release.thickness.",
+                          "none"));
     list.push_back(declare::decides_map(
         choice("release.thickness-direction", FRANA_MEMBER(release.thickness_direction), {"vertical", "normal"},
                "Direction in which the thickness is measured: vertical, or normal to the slope.")));

@@ -59,6 +59,7 @@ struct ReleaseSpec {
     std::optional<std::string> thickness_crs;
     std::string thickness_direction = "vertical";
     bool dtm_contains_release = false;
+    std::optional<SourceSpec> level;  ///< instead of the thickness
     std::optional<SourceSpec> volume, start, velocity, direction, slip_depth;
     std::string slip_shape = "auto";
 };

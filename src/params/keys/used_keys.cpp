@@ -38,6 +38,7 @@ constexpr KeyRow k_rows[] = {
     {"terrain.error", false, "error of the elevations"},
     {"terrain.source", false, "source of the elevations"},
     {"release.dtm-contains-release", true, "DTM contains the release"},
+    {"release.level", false, "level of a released lake"},
     {"release.start", false, "time of failure"},
     {"release.velocity", false, "initial speed"},
     {"inflow.line", false, "lines of inflow"},

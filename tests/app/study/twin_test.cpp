@@ -103,8 +103,9 @@ class Twin : public TinyScene {
                                "\n[vary]\nmaterial.friction-angle = uniform(8, 26)\n"
                                "release.volume = uniform(2000, 8000)\n");
         app::RunLog log(true);
-        app::study::CalibrationInput input = app::study::prepare_calibration(
-            app::study::read_calibration_texts(path("study.ini"), {}, log), std::nullopt, log);
+        app::study::StudyInput input = app::study::prepare_study(
+            app::study::read_study_texts(path("study.ini"), app::study::StudyKind::calibration, {}, log), std::nullopt,
+            log);
         const std::string folder = path("members" + std::to_string(twin) + "_" + std::to_string(noise));
         fs::create_directories(folder);
         const auto runs = app::study::run_calibration(input, {folder, 2, true}, log);
@@ -156,8 +157,9 @@ TEST_F(Twin, AllBatchesAreComparedOverTheSameCells) {
           "observed.perimeter-error = 5\nobserved.deposit-error = 0.2\nobserved.error-length = 20\n"
           "[vary]\nmaterial.friction-angle = uniform(8, 26)\n");
     app::RunLog log(true);
-    const app::study::CalibrationInput input = app::study::prepare_calibration(
-        app::study::read_calibration_texts(path("study.ini"), {}, log), std::nullopt, log);
+    const app::study::StudyInput input = app::study::prepare_study(
+        app::study::read_study_texts(path("study.ini"), app::study::StudyKind::calibration, {}, log), std::nullopt,
+        log);
     const app::Prepared& base = input.own[0].base;
     const auto survey = [&](const CellWindow& reached) {
         return app::study::EventSurvey(base, input.spec().events[0], input.spec().objective, reached);

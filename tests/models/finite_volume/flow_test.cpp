@@ -203,10 +203,31 @@ TEST(FiniteVolumes, TheLipOfACliffNeitherDamsNorAccelerates) {
             EXPECT_GT(there, before / 1.2) << cliff << ", " << cell;
             EXPECT_LT(there, before * 1.2) << cliff << ", " << cell;
             EXPECT_LT(flow.state().depth[at(lip)], 1.2 * k_depth) << cliff << ", " << cell;
-            // The fall, and what the head of the water's depth adds to it.
-            EXPECT_GT(below * below, 0.97 * (before * before + 2 * k_gravity * cliff)) << cliff << ", " << cell;
-            EXPECT_LT(below * below, before * before + 2 * k_gravity * (cliff + 2 * k_depth)) << cliff << ", " << cell;
+            // At the foot of a cliff it loses the speed of its fall; over a step that cells cannot tell from a slope it
+            // keeps that. Besides, what the head of the water's depth adds.
+            const double kept = cliff > 1.2 * cell && cliff > k_depth ? 0 : 2 * k_gravity * cliff;
+            EXPECT_GT(below * below, 0.9 * (before * before + kept)) << cliff << ", " << cell;
+            EXPECT_LT(below * below, before * before + kept + 4 * k_gravity * k_depth) << cliff << ", " << cell;
         }
+}
+
+// A film of 30 m/s over a basin of 40 m x 10 m: its wall takes what is normal to it. What climbed walls as it climbs
+// slopes left nothing in the basin, on any cells.
+TEST(FiniteVolumes, TheWallOfABasinIsNoSlope) {
+    for (const double cell : {5.0, 2.5}) {
+        const Raster bed = bench::sample_raster(bench::plain_grid(std::llround(500 / cell), 4, cell),
+                                                [](Point p) { return p.x > 200 && p.x < 240 ? 0.0 : 10.0; });
+        const ParticleSet seeds = bench::fill_lattice(bed.grid, 1, 0, [](Point p) {
+            return bench::Seed{p.x > 40 && p.x < 180 ? 1.0 : 0.0, 30};
+        });
+        FiniteVolumeFlow flow = flow_on(bed, seeds, water(), volumes(Boundary::open));
+        const double volume = flow.volume();
+        flow.advance_to(30);
+        double trapped = 0;
+        for (std::int64_t c = std::llround(200 / cell); c < std::llround(240 / cell); ++c)
+            for (std::int64_t r = 0; r < 4; ++r) trapped += cell * cell * flow.state().depth[flow.nodes().index(c, r)];
+        EXPECT_GT(trapped, 0.35 * volume) << cell;
+    }
 }
 
 // What friction holds does not change by a bit, and costs nothing.

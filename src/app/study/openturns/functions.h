@@ -19,7 +19,7 @@ struct Interval {
 };
 /// Sensitivity of one figure to one key.
 struct KeySensitivity {
-    std::optional<Interval> first_order, total;  ///< Sobol' indices: fractions of the variance
+    std::optional<double> first_order, total;  ///< Sobol' indices: fractions of the variance
     /// Spearman's rank correlation; of a key without order the correlation ratio, which has no interval.
     std::optional<Interval> rank_correlation;
     /// Of Morris' design: mean of the absolute changes of the figure when the key alone moves by half of its

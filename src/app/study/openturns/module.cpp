@@ -333,12 +333,6 @@ class Regression {
     std::vector<double> leverage_;  ///< by member: how much its own output decides what is said of it
 };
 
-std::vector<double> column_of(const std::vector<std::vector<double>>& rows, std::size_t key) {
-    std::vector<double> column;
-    for (const auto& row : rows) column.push_back(row[key]);
-    return column;
-}
-
 /// OpenturnsFunctions::chaos.
 std::vector<Chaos> chaos(const DesignPoints& points, const std::vector<std::vector<double>>& outputs,
                          const DesignPoints& elsewhere) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 #include <utility>
 
@@ -25,6 +24,13 @@ namespace {
 /// First members: enough for the correlation lengths of a Gaussian process. Loeppky, Sacks and Welch (2009,
 /// Technometrics 51, 366) advise 10 a key where no others follow; here they do.
 constexpr std::int64_t k_least_design = 8, k_design_per_key = 5;
+
+/// Where an event's evidence comes from, for messages; by Evidence.
+constexpr const char* k_sources[] = {
+    "observed.perimeter in the scene", "observed.perimeter in the scene, or runout in [event NAME]",
+    "observed.deposit in the scene",   "observed.deposit in the scene, as a raster",
+    "arrival GAUGE in [event NAME]",   "speed GAUGE in [event NAME]",
+    "depth GAUGE in [event NAME]"};
 
 constexpr Evidence k_single_values[] = {Evidence::runout, Evidence::arrival, Evidence::speed, Evidence::depth};
 
@@ -162,7 +168,7 @@ EventSurvey::EventSurvey(const Prepared& base, const EventSpec& event, const std
                                                          : true;
         if (!covers)
             throw Error(ErrorKind::input,
-                        Problem{"the surveyed area contains no centre of a cell", event.members.study.scene, "",
+                        Problem{"the surveyed area contains no centre of a cell", event.scene, "",
                                 std::to_string(grid_.cell_size) + " m", "Use smaller cells: terrain.cell-size"});
     }
 }
@@ -186,18 +192,13 @@ double EventSurvey::deposit_depth_misfit(const Raster& change) const {
 }
 
 std::vector<double> EventSurvey::values_of(Evidence evidence, const MemberRecord& record) const {
-    const auto figure = [&](const std::string& key) {
-        const auto found =
-            std::find_if(record.figures.begin(), record.figures.end(), [&](const Figure& f) { return f.key == key; });
-        return found == record.figures.end() ? k_no_data : found->value;
-    };
-    if (evidence == Evidence::runout) return {figure(k_run_out_key)};
+    if (evidence == Evidence::runout) return {value_of(record.figures, k_run_out_key)};
     std::vector<double> values;
     const Raster arrival =
         evidence == Evidence::arrival ? record.raster(Quantity::arrival, grid_) : Raster(GridSpec{}, k_no_data);
     for (const GaugeValue& one : observed_at(event_, evidence)) {
         if (const char* const of_gauge = kind_of(evidence).figure) {
-            values.push_back(figure("gauge " + one.gauge + ": " + of_gauge));
+            values.push_back(value_of(record.figures, "gauge " + one.gauge + ": " + of_gauge));
             continue;
         }
         const auto gauge =
@@ -301,26 +302,17 @@ MemberAgreement EventSurvey::compare(const MemberRecord& record) const {
 
 namespace {
 
-void add_once(const Problems& from, Problems& to) {
-    for (const Problem& problem : from.list()) {
-        const auto& known = to.list();
-        if (std::none_of(known.begin(), known.end(),
-                         [&](const Problem& one) { return describe(one) == describe(problem); }))
-            to.add(problem);
-    }
-}
-
 /// Prepares what can be prepared; problems are collected over all events.
 std::optional<StudyInput> prepared_event(StudyTexts texts, const std::optional<Problem>& place, RunLog& log,
                                          Problems& problems) {
     Problems of_event;
     auto event = attempt(of_event, [&] { return std::optional(prepare_study(std::move(texts), place, log)); });
-    add_once(of_event, problems);
+    problems.add(of_event);
     if (event) event->runs_on = false;
     return event;
 }
 
-bool weighs(const CalibrationSpec& calibration, Evidence evidence) {
+bool weighs(const StudySpec& calibration, Evidence evidence) {
     return std::any_of(calibration.objective.begin(), calibration.objective.end(),
                        [&](const Weight& one) { return row_of(one.measure).needs == evidence; });
 }
@@ -336,8 +328,8 @@ void check_gauges(const Prepared& base, const EventSpec& event, const Place& whe
 }
 
 /// Every event needs something that is compared, every measure an event, and gauges must exist.
-void check_evidence(const CalibrationInput& input, Problems& problems) {
-    const CalibrationSpec& calibration = input.spec();
+void check_evidence(const StudyInput& input, Problems& problems) {
+    const StudySpec& calibration = input.spec();
     std::vector<std::string> measures, sources;
     std::vector<bool> used(calibration.objective.size());
     for (const Weight& one : calibration.objective) {
@@ -354,8 +346,8 @@ void check_evidence(const CalibrationInput& input, Problems& problems) {
         }
         const Place where = input.reading.where("event " + event.name);
         if (!any)
-            problems.add({"has nothing that [objective] compares: " + joined(measures, ", "), where,
-                          event.members.study.scene, "", "Give it " + joined(sources, "; or ")});
+            problems.add({"has nothing that [objective] compares: " + joined(measures, ", "), where, event.scene, "",
+                          "Give it " + joined(sources, "; or ")});
         check_gauges(base, event, where, problems);
     }
     for (std::size_t m = 0; m < measures.size(); ++m)
@@ -365,12 +357,12 @@ void check_evidence(const CalibrationInput& input, Problems& problems) {
 }
 
 /// Measures the survey as the members will be compared with it.
-void check_survey(const CalibrationSpec& calibration, std::size_t event, const Prepared& base, Problems& problems) {
+void check_survey(const StudySpec& calibration, std::size_t event, const Prepared& base, Problems& problems) {
     attempt(problems, [&] { const EventSurvey survey(base, calibration.events[event], calibration.objective, {}); });
 }
 
 /// Figures and outlines of a member use the survey's threshold, and records contain what is compared.
-void compare_by_survey(const CalibrationSpec& calibration, StudyInput& input) {
+void compare_by_survey(const StudySpec& calibration, StudyInput& input) {
     input.base.spec.output.trace_threshold = observed_threshold(input.base.spec);
     const Survey& survey = input.base.extra.survey;
     if (weighs(calibration, Evidence::deposit) || weighs(calibration, Evidence::elevation_change))
@@ -381,61 +373,51 @@ void compare_by_survey(const CalibrationSpec& calibration, StudyInput& input) {
 
 }  // namespace
 
-StudySpec all_keys(const CalibrationSpec& calibration) {
-    StudySpec all = calibration.study;
-    for (const EventSpec& event : calibration.events)
-        all.vary.insert(all.vary.end(), event.vary.begin(), event.vary.end());
-    return all;
-}
-
-SampleTable members_at(const CalibrationSpec& calibration, std::size_t event, const Places& places,
-                       Problems& problems) {
-    const EventSpec& spec = calibration.events[event];
-    const std::size_t shared = calibration.study.vary.size(), first = calibration.first_own_key(event);
+SampleTable members_at(const StudyReading& reading, std::size_t event, const Places& places, Problems& problems) {
+    const StudySpec& calibration = reading.study;
+    const std::size_t shared = calibration.vary.size(), first = calibration.first_own_key(event),
+                      own = calibration.events[event].vary.size();
     Places of_event;
     for (const std::vector<double>& place : places) {
         std::vector<double>& one = of_event.emplace_back(place.begin(), place.begin() + static_cast<long>(shared));
-        for (std::size_t k = first; k < first + spec.vary.size(); ++k) one.push_back(place[k]);
+        for (std::size_t k = first; k < first + own; ++k) one.push_back(place[k]);
     }
-    return samples_at(spec.members.study, of_event, spec.members.label, problems);
+    return samples_at(calibration.of_event(event), of_event, reading.label, problems);
 }
 
-CalibrationTexts read_calibration_texts(const std::string& path, const Session& session, RunLog& log) {
-    CalibrationTexts texts;
-    texts.reading = read_calibration(path);
-    for (EventSpec& event : texts.reading.calibration.events) event.members.session = session;
-    find_recorded_inputs(texts.reading, log);
-    const CalibrationSpec& calibration = texts.reading.calibration;
-    texts.problems = texts.reading.problems;
-    if (calibration.events.empty()) texts.problems.throw_if_any();
-    const bool drawable = texts.problems.empty() && calibration.key_count() > 0;  // else values tell nothing
+void read_events(StudyTexts& texts, RunLog& log) {
+    const StudySpec& calibration = texts.reading.study;
+    Problems problems = texts.reading.problems;
+    StudySpec first = calibration.of_all_events();
+    const bool drawable = problems.empty() && !first.vary.empty();  // else values tell nothing
     if (drawable) {
-        StudySpec first = all_keys(calibration);
         first.samples = std::min(first.samples, std::max(k_least_design, k_design_per_key * std::ssize(first.vary)));
         texts.design = draw_places(first);
     }
     for (std::size_t e = 0; e < calibration.events.size(); ++e) {
-        const EventSpec& event = calibration.events[e];
         SampleTable table;
-        if (drawable) table = members_at(calibration, e, texts.design, texts.problems);
+        if (drawable) table = members_at(texts.reading, e, texts.design, problems);
         Problems of_scene;  // the scene may be no INI
         attempt(of_scene, [&] {
-            StudyTexts one = read_study_scenes(event.members, std::move(table));
-            add_once(one.central.problems, texts.problems);
-            warn_of_changed_inputs(calibration.study.file, one.central, log);
-            if (texts.events.empty()) texts.first_scene = one.central;
+            const StudyReading event{calibration.of_event(e), texts.reading.session, {}, texts.reading.label};
+            StudyTexts one = read_study_scenes(event, std::move(table));
+            problems.add(one.central.problems);
+            warn_of_changed_inputs(calibration.file, one.central, log);
             texts.events.push_back(std::move(one));
         });
-        add_once(of_scene, texts.problems);
+        problems.add(of_scene);
     }
-    if (texts.events.empty()) texts.problems.throw_if_any();
-    return texts;
+    if (texts.events.empty()) problems.throw_if_any();
+    texts.central = texts.events.front().central;
+    texts.central.problems = std::move(problems);
 }
 
-CalibrationInput prepare_calibration(CalibrationTexts texts, const std::optional<Problem>& place, RunLog& log) {
-    CalibrationInput input{std::move(texts.reading), std::move(texts.design), {}, {}};
-    const CalibrationSpec& calibration = input.spec();
-    Problems problems = std::move(texts.problems);
+StudyInput prepare_events(StudyTexts texts, const std::optional<Problem>& place, RunLog& log) {
+    StudyInput input;
+    input.reading = std::move(texts.reading);
+    input.design = std::move(texts.design);
+    const StudySpec& calibration = input.spec();
+    Problems problems = std::move(texts.central.problems);
     const bool alone = problems.empty();  // then a place that cannot be written is an error of the environment
     if (place && !alone) problems.add(*place);
     for (std::size_t e = 0; e < texts.events.size(); ++e) {
@@ -447,9 +429,7 @@ CalibrationInput prepare_calibration(CalibrationTexts texts, const std::optional
     problems.throw_if_any();
     for (std::size_t e = 0; e < input.events(); ++e) check_survey(calibration, e, input.own[e].base, problems);
     problems.throw_if_any();
-    input.identity = calibration_text(with_files(calibration, [](const std::string&, const std::string& path) {
-        return std::filesystem::path(path).filename().string();
-    }));
+    input.identity = study_text(with_files(calibration, without_folder));
     for (std::size_t e = 0; e < input.events(); ++e) {
         compare_by_survey(calibration, input.own[e]);
         input.identity += "event " + calibration.events[e].name + ":\n" + input.own[e].identity;

@@ -8,7 +8,6 @@
 #include "analysis/scores.h"
 #include "app/input/prepare.h"
 #include "app/study/member_record.h"
-#include "app/study/plan/read_calibration.h"
 #include "app/study/plan/study_input.h"
 #include "core/error.h"
 
@@ -80,40 +79,15 @@ class EventSurvey {
     std::vector<Gauge> gauges_;
 };
 
-/// A calibration whose files have been read as text.
-struct CalibrationTexts {
-    CalibrationReading reading;
-    Places design;                   ///< of the first members, in all keys: a part of study.samples
-    std::vector<StudyTexts> events;  ///< with the first members; their problems contain those of the scenes
-    SceneReading first_scene;        ///< of the first event: the result's place is beside its
-    Problems problems;               ///< of everything read so far
-};
+/// Draws the first members of a calibration, and reads their scenes. Throws Error(input) only if no event has a scene
+/// that can be read.
+void read_events(StudyTexts& texts, RunLog& log);
 
-/// Reads the calibration, draws its first members, and reads their scenes. The study file of a result, which may have
-/// been moved, finds its inputs as find_recorded_inputs(). Throws Error(input) only if a file is no INI, no event has a
-/// scene, or an input of such a result is missing.
-CalibrationTexts read_calibration_texts(const std::string& path, const Session& session, RunLog& log);
-
-/// A calibration with everything checked that can be checked before its members run.
-struct CalibrationInput {
-    CalibrationReading reading;
-    Places design;
-    std::vector<StudyInput> own;  ///< by event: the members so far, at first those of the design
-    /// One fact per line, as of a StudyInput.
-    std::string identity;
-
-    [[nodiscard]] const CalibrationSpec& spec() const noexcept { return reading.calibration; }
-    [[nodiscard]] std::size_t events() const noexcept { return own.size(); }
-};
-
-/// Prepares the scenes of all events, and checks that each has what is compared with it. Throws
-/// Error(input) with every problem found, and with that of the result's place as prepare().
-CalibrationInput prepare_calibration(CalibrationTexts texts, const std::optional<Problem>& place, RunLog& log);
-
-/// All keys of a calibration as one study: the shared ones, then those of each event.
-StudySpec all_keys(const CalibrationSpec& calibration);
+/// Prepares the scenes of all events, and checks that each has what is compared with it. Throws Error(input) with every
+/// problem found, and with that of the result's place as prepare().
+StudyInput prepare_events(StudyTexts texts, const std::optional<Problem>& place, RunLog& log);
 
 /// Returns the members of one event at places in all keys; problems of their values are those of the members.
-SampleTable members_at(const CalibrationSpec& calibration, std::size_t event, const Places& places, Problems& problems);
+SampleTable members_at(const StudyReading& reading, std::size_t event, const Places& places, Problems& problems);
 
 }  // namespace frana::app::study

@@ -2,164 +2,255 @@
 #include "app/study/plan/read_study.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
-#include "app/study/plan/entry_reader.h"
 #include "app/study/plan/sampling.h"
 #include "app/text/number_text.h"
 #include "core/text.h"
 #include "params/grammar/ini_file.h"
 #include "params/grammar/value_text.h"
-#include "params/keys/declare.h"
 #include "params/keys/parameter.h"
 #include "params/keys/scene_parameters.h"
+#include "params/scene/read_scene.h"
 
 namespace frana::app::study {
+
+StudySpec StudySpec::of_all_events() const {
+    StudySpec all = *this;
+    for (const EventSpec& event : events) all.vary.insert(all.vary.end(), event.vary.begin(), event.vary.end());
+    return all;
+}
+
+StudySpec StudySpec::of_event(std::size_t event) const {
+    const EventSpec& own = events[event];
+    StudySpec one = *this;
+    one.kind = StudyKind::ensemble;
+    one.events.clear();
+    one.objective.clear();
+    one.scene = own.scene;
+    std::erase_if(one.set, [&](const std::string& shared) {
+        return std::any_of(own.set.begin(), own.set.end(), [&](const std::string& other) {
+            return other.starts_with(shared.substr(0, shared.find('=') + 1));
+        });
+    });
+    one.set.insert(one.set.end(), own.set.begin(), own.set.end());
+    one.vary.insert(one.vary.end(), own.vary.begin(), own.vary.end());
+    return one;
+}
+
+std::size_t StudySpec::first_own_key(std::size_t event) const {
+    std::size_t keys = vary.size();
+    for (std::size_t e = 0; e < event; ++e) keys += events[e].vary.size();
+    return keys;
+}
+
 namespace {
 
 namespace fs = std::filesystem;
 
-using StudyKey = ParameterOf<StudySpec>;
-
-constexpr std::int64_t k_last_seed = 2'147'483'647;
-constexpr const char* k_table_word = "table:";
-
-/// Samplings and keys of earlier versions, and what to use.
-constexpr std::pair<const char*, const char*> k_gone_samplings[] = {
-    {"latin-hypercube", "Write sampling = sobol: it is at least as certain with as many runs"},
-    {"grid", "Write sampling = sobol, or table:FILE.csv with the combinations as rows"},
-    {"saltelli", "Write sampling = sobol: its sensitivities need 64 runs, not thousands"}};
+/// Keys of earlier versions, and what to use.
 constexpr std::pair<const char*, const char*> k_gone_keys[] = {
     {"study.levels", "Remove it: sampling = sobol is as certain at the same cost"},
-    {"study.per-polygon", "Write a region, whose polygons each fail alone, and run it with `frana batch`"}};
+    {"study.per-polygon", "Write a region, whose polygons each fail alone, and run it with `frana batch`"},
+    {"study.refine",
+     "Remove it: after the design, runs are chosen one batch after the other until the posterior has settled; "
+     "study.samples is the most there may be"},
+    {"study.coarse",
+     "Remove it: after the design, runs are chosen one batch after the other until the posterior has settled; "
+     "study.samples is the most there may be"}};
 
-StudyKey sampling_key() {
-    declare::Words<Sampling> words;
-    for (const SamplingMethod& row : k_samplings)
-        if (row.kind != SamplingMethod::Kind::given) words.emplace_back(row.name, row.sampling);
-    auto key = declare::option<StudySpec>("study.sampling", FRANA_MEMBER(sampling), words,
-                                          "How the values of the members are drawn.");
-    key.limits += std::string(", ") + k_table_word + "FILE.csv";
-    key.read = [of_word = key.read](StudySpec& study, const std::string& text) -> std::optional<ValueProblem> {
-        for (const auto& [gone, instead] : k_gone_samplings)
-            if (text == gone) return ValueProblem{"is no longer a sampling", instead};
-        if (!text.starts_with(k_table_word)) return of_word(study, text);
-        const std::string file = trimmed(text.substr(std::string(k_table_word).size()));
-        if (file.empty()) return ValueProblem{"names no file", "Write table:FILE.csv"};
-        study.sampling = Sampling::table;
-        study.table = file;
-        return std::nullopt;
-    };
-    key.write = [of_word = key.write](const StudySpec& study) -> std::optional<std::string> {
-        return study.sampling == Sampling::table ? k_table_word + study.table : of_word(study);
-    };
-    key.map_files = [](StudySpec& study, const FileMap& map) {
-        if (!study.table.empty()) study.table = map(study.table);
-    };
+/// Sections of each kind of study, for messages.
+constexpr const char* k_sections[] = {
+    "An ensemble has the sections [study], [set], [vary] and [correlate]; a calibration, for `frana calibrate`, also "
+    "[objective] and [event NAME]",
+    "A region has the sections [region], [set] and [columns]",
+    "A calibration has the sections [study], [objective], [set], [vary], [correlate], and for single events [event "
+    "NAME], [set NAME], [vary NAME]"};
+
+constexpr std::size_t k_longest_name = 60;  // files are named after events
+
+/// The name of an event that has no section: that of its scene, in letters that names of files may have.
+std::string event_name(const std::string& scene) {
+    SceneSpec spec;
+    spec.file = scene;
+    std::string name = scene_name(spec).substr(0, k_longest_name);
+    for (char& c : name)
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-') c = '_';
+    return name;
+}
+
+bool is_event_name(const std::string& name) {
+    return !name.empty() && name.size() <= k_longest_name && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+        return std::isalnum(c) != 0 || c == '-' || c == '_';
+    });
+}
+
+/// An entry by its parts: "set north.release.volume" is the key release.volume of [set], for the event north.
+struct EntryName {
+    std::string section, event, key;
+
+    explicit EntryName(const std::string& name) {
+        const auto dot = name.find('.');
+        const std::string head = name.substr(0, dot);
+        const auto space = head.find(' ');
+        section = head.substr(0, space);
+        if (space != std::string::npos) event = trimmed(head.substr(space));
+        if (dot != std::string::npos) key = name.substr(dot + 1);
+    }
+};
+
+/// Reads the entries of one study.
+class StudyReader {
+  public:
+    explicit StudyReader(StudyReading& reading)
+        : reading_(reading), study_(reading.study), folder_(fs::path(reading.study.file).parent_path().string()) {}
+
+    void read(std::vector<IniEntry> entries);
+
+  private:
+    [[nodiscard]] bool is(StudyKind kind) const { return study_.kind == kind; }
+    void add(const IniEntry& entry);
+    bool read_key(const IniEntry& entry);
+    void refuse_unknown(const IniEntry& entry, const EntryName& name);
+    void add_setting(const std::string& key, const IniEntry& entry, std::vector<std::string>& set);
+    void add_variation(const std::string& key, const IniEntry& entry, std::vector<Variation>& vary);
+    void add_correlation(const std::string& keys, const IniEntry& entry);
+    void add_column(const std::string& key, const IniEntry& entry);
+    void add_scenes(const IniEntry& entry);
+    void add_event(const std::string& name, const std::string& scene, const IniEntry& entry);
+    void add_observation(EventSpec& event, const std::string& key, const IniEntry& entry);
+
+    void check_scheme(const std::string& event);
+    void check_columns();
+    void check_keys(const StudySpec& study, const std::string& event);
+    void check_correlations(const StudySpec& study, const std::string& event);
+    void check_events();
+    void check_sampling();
+    void check_option(const Variation& vary, std::size_t option, double first_round);
+
+    [[nodiscard]] EventSpec* event_of(const std::string& name);
+    /// Returns a key of the scene; null: there is none, which was refused.
+    const Parameter* scene_key(const std::string& name, const IniEntry& entry);
+    void refuse(const std::string& what, const IniEntry& entry, const std::string& limit, const std::string& remedy) {
+        add_problem({what, where(entry.name), entry.value, limit, remedy});
+    }
+    void add_problem(const Problem& problem) { reading_.problems.add(problem); }
+    [[nodiscard]] Place where(const std::string& name) const { return reading_.where(name); }
+    /// The name of a key in a section: an event's own if that has one.
+    [[nodiscard]] std::string name_in(const std::string& section, const std::string& key,
+                                      const std::string& event) const;
+    [[nodiscard]] bool has_seen(const std::string& name) const { return seen_.count(name) > 0; }
+    [[nodiscard]] bool has_seen_any(const std::string& beginning) const;
+
+    StudyReading& reading_;
+    StudySpec& study_;
+    std::string folder_;          ///< of relative paths
+    std::set<std::string> seen_;  ///< names of the entries so far, right or wrong
+};
+
+std::string StudyReader::name_in(const std::string& section, const std::string& key, const std::string& event) const {
+    const std::string own = section + " " + event + "." + key;
+    return has_seen(own) ? own : section + "." + key;
+}
+
+bool StudyReader::has_seen_any(const std::string& beginning) const {
+    return std::any_of(seen_.begin(), seen_.end(),
+                       [&](const std::string& name) { return name.starts_with(beginning); });
+}
+
+EventSpec* StudyReader::event_of(const std::string& name) {
+    const auto found = std::find_if(study_.events.begin(), study_.events.end(),
+                                    [&](const EventSpec& one) { return one.name == name; });
+    return found == study_.events.end() ? nullptr : &*found;
+}
+
+const Parameter* StudyReader::scene_key(const std::string& name, const IniEntry& entry) {
+    const std::vector<Parameter>& keys = scene_parameters();
+    const Parameter* const key = find_parameter(keys, name);
+    if (key == nullptr) {
+        Problem problem = unknown_key(keys, name, where(entry.name));
+        problem.value = entry.value;
+        add_problem(problem);
+    }
     return key;
 }
 
-}  // namespace
-
-const std::vector<StudyKey>& study_keys() {
-    using namespace declare;
-    static const std::vector<StudyKey> k_keys = [] {
-        StudyKey scene_file = text<StudySpec>("study.scene", FRANA_MEMBER(scene), "file", "The scene whose keys vary.");
-        scene_file.limits = "a scene file";
-        StudyKey samples = integer<StudySpec>("study.samples", FRANA_MEMBER(samples), 2, k_most_samples,
-                                              "Number of members; with until the most.");
-        samples.write = [write = samples.write](const StudySpec& study) {
-            return study.sampling == Sampling::table ? std::nullopt : write(study);
-        };
-        return std::vector<StudyKey>{
-            scene_file,
-            option<StudySpec>(
-                "study.scheme", FRANA_MEMBER(scheme),
-                declare::Words<Scheme>{{"default", Scheme::standard}, {"finite-volume", Scheme::finite_volume}},
-                "Numerical scheme of all members; without it that of the scene. Two members are computed "
-                "again by the other one."),
-            samples,
-            sampling_key(),
-            integer<StudySpec>("study.seed", FRANA_MEMBER(seed), 0, k_last_seed,
-                               "The same seed gives the same members."),
-            text<StudySpec>("study.rare-place", FRANA_MEMBER(rare_place), "text",
-                            "A gauge of the scene (output.gauges): with sampling = importance most members are drawn "
-                            "near what makes the flow come there."),
-            number<StudySpec>("study.until", FRANA_MEMBER(until), "", Range{0, 0.5, true, true},
-                              "Standard error of the probabilities, anywhere on the map, below which no more members "
-                              "are run."),
-            option<StudySpec>("study.keep", FRANA_MEMBER(keep),
-                              declare::Words<Keep>{{name_of(Keep::none), Keep::none},
-                                                   {name_of(Keep::failed), Keep::failed},
-                                                   {name_of(Keep::all), Keep::all}},
-                              "Members whose scene and maps are written to members/.")};
-    }();
-    return k_keys;
+bool names_scene(const std::string& entry) {
+    return entry == "study.scene" || (entry.starts_with("event ") && entry.ends_with(".scene"));
 }
 
-StudyKey study_key(const std::string& key, const std::string& section, const std::string& meaning) {
-    StudyKey copy = *find_parameter(study_keys(), "study." + key);
-    copy.section = section;
-    if (!meaning.empty()) copy.meaning = meaning;
-    return copy;
+void StudyReader::read(std::vector<IniEntry> entries) {
+    // What is said of an event may stand before its scene.
+    std::stable_partition(entries.begin(), entries.end(), [](const IniEntry& one) { return names_scene(one.name); });
+    for (const IniEntry& entry : entries) add(entry);
+    if (is(StudyKind::calibration)) {
+        check_events();
+        for (std::size_t e = 0; e < study_.events.size(); ++e) check_keys(study_.of_event(e), study_.events[e].name);
+        return;
+    }
+    if (study_.scene.empty())
+        add_problem({"is missing", where(study_.region ? "region.scene" : "study.scene"), "", "a scene file",
+                     "Name the scene whose keys vary"});
+    if (study_.region) return check_columns();
+    check_keys(study_, "");
+    check_sampling();
 }
 
-namespace {
-
-/// Reads the entries of one study or region.
-class StudyReader : private EntryReader {
-  public:
-    StudyReader(StudyReading& reading, std::string folder)
-        : EntryReader(reading.label, std::move(folder), reading.problems), reading_(reading) {}
-
-    void add(const IniEntry& entry);
-    void check();
-
-  private:
-    void add_setting(const std::string& key, const IniEntry& entry);
-    void add_variation(const std::string& key, const IniEntry& entry);
-    void add_correlation(const std::string& keys, const IniEntry& entry);
-    void add_column(const std::string& key, const IniEntry& entry);
-    void check_columns();
-    void check_sampling();
-    void check_option(const Variation& vary, std::size_t option, double first_round);
-    [[nodiscard]] const Variation* variation_of(const std::string& key) const;
-    [[nodiscard]] bool is_region() const { return reading_.study.region.has_value(); }
-
-    StudyReading& reading_;
-};
+bool StudyReader::read_key(const IniEntry& entry) {
+    const auto* const key = find_parameter(study_keys(study_.kind), entry.name);
+    if (key == nullptr) return false;
+    if (const auto refusal = key->read(study_, entry.value))
+        refuse(refusal->what, entry, key->limits, refusal->remedy);
+    else if (key->map_files)
+        key->map_files(study_, [&](const std::string& path) { return absolute_path(path, folder_); });
+    return true;
+}
 
 void StudyReader::add(const IniEntry& entry) {
-    if (!is_good(entry)) return;
-    const auto dot = entry.name.find('.');
-    const std::string section = entry.name.substr(0, dot),
-                      rest = dot == std::string::npos ? "" : entry.name.substr(dot + 1);
-    const auto is = [&](const char* name, bool of_region) {
-        return section == name && !rest.empty() && is_region() == of_region;
-    };
-    const std::vector<StudyKey>& keys = is_region() ? region_keys() : study_keys();
-    if (read(keys, entry, reading_.study)) return;
-    if (section == "set" && !rest.empty()) return add_setting(rest, entry);
-    if (is("columns", true)) return add_column(rest, entry);
-    if (is("vary", false)) return add_variation(rest, entry);
+    if (!seen_.insert(entry.name).second) return refuse("is given more than once", entry, "", "Keep one of the lines");
+    if (entry.value.empty()) return refuse("has no value", entry, "", "Give one or remove the key");
+    const EntryName name(entry.name);
+    const bool is_calibration = is(StudyKind::calibration);
+    if (is_calibration && entry.name == "study.scene") return add_scenes(entry);
+    if (read_key(entry)) return;
+    if (name.key.empty() || (!name.event.empty() && !is_calibration)) return refuse_unknown(entry, name);
+    if (is_calibration && name.section == "event" && name.key == "scene")
+        return add_event(name.event, entry.value, entry);
+    EventSpec* const event = event_of(name.event);
+    const bool is_value = name.section == "set" || (name.section == "vary" && !study_.region);
+    if (!name.event.empty() && event == nullptr && (is_value || name.section == "event"))
+        return refuse("there is no event " + name.event, entry, "",
+                      "Give it a scene: [event " + name.event + "] scene = FILE");
+    if (event != nullptr && name.section == "event") return add_observation(*event, name.key, entry);
+    if (is_value && name.section == "set")
+        return add_setting(name.key, entry, event != nullptr ? event->set : study_.set);
+    if (is_value) return add_variation(name.key, entry, event != nullptr ? event->vary : study_.vary);
+    if (name.event.empty() && name.section == "columns" && study_.region) return add_column(name.key, entry);
+    if (name.event.empty() && name.section == "correlate" && !study_.region) return add_correlation(name.key, entry);
+    refuse_unknown(entry, name);
+}
+
+void StudyReader::refuse_unknown(const IniEntry& entry, const EntryName& name) {
     for (const auto& [gone, instead] : k_gone_keys)
         if (entry.name == gone) return refuse("is no longer a key", entry, "", instead);
-    if (is("degree", true))
+    if (name.section == "degree" && study_.region)
         return refuse("is no longer a key of a region", entry, "",
                       "Write [degree] into a hazard scheme of your own (share/doc/hazard.md), and name that file in "
                       "hazard.scheme");
-    if (is("correlate", false)) return add_correlation(rest, entry);
-    const std::string all = joined(names_of(keys), ", ");
-    if (is_region() || is("study", false))
-        refuse_name(
-            "unknown key", entry.name, names_of(keys),
-            is_region() ? "A region has the sections [region], [set] and [columns], with " + all : "Known are " + all,
-            entry);
-    else
-        refuse("unknown key", entry, "",
-               "An ensemble has the sections [study], [set], [vary] and [correlate]; a calibration, for `frana "
-               "calibrate`, also [objective] and [event NAME]");
+    if (is(StudyKind::calibration) && find_parameter(study_keys(StudyKind::ensemble), entry.name) != nullptr)
+        return refuse("has no effect in a calibration", entry, "", "Remove it");
+    const auto& keys = study_keys(study_.kind);
+    const bool has_section =
+        std::any_of(keys.begin(), keys.end(), [&](const auto& key) { return key.section == name.section; });
+    const std::string sections = k_sections[static_cast<std::size_t>(study_.kind)];
+    const std::string nearest = has_section || study_.region ? nearest_name(entry.name, names_of(keys)) : "";
+    refuse("unknown key", entry, "",
+           !nearest.empty() ? "Did you mean " + nearest + "?"
+           : has_section    ? "Known are " + joined(names_of(keys), ", ")
+                            : sections);
 }
 
 void StudyReader::add_column(const std::string& key, const IniEntry& entry) {
@@ -171,10 +262,10 @@ void StudyReader::add_column(const std::string& key, const IniEntry& entry) {
     else if (const auto refusal = refusal_to_vary(*parameter))
         refuse(refusal->what, entry, "", refusal->remedy);
     else
-        reading_.study.region->columns.push_back({name, entry.value});
+        study_.region->columns.push_back({name, entry.value});
 }
 
-void StudyReader::add_setting(const std::string& key, const IniEntry& entry) {
+void StudyReader::add_setting(const std::string& key, const IniEntry& entry, std::vector<std::string>& set) {
     const std::string name = present_name(key);
     const Parameter* const parameter = scene_key(name, entry);
     if (parameter == nullptr) return;
@@ -182,10 +273,10 @@ void StudyReader::add_setting(const std::string& key, const IniEntry& entry) {
     if (const auto refusal = parameter->read(scene, entry.value))
         refuse(refusal->what, entry, parameter->limits, refusal->remedy);
     else
-        reading_.study.set.push_back(name + "=" + with_absolute_paths(*parameter, entry.value, folder()));
+        set.push_back(name + "=" + with_absolute_paths(*parameter, entry.value, folder_));
 }
 
-void StudyReader::add_variation(const std::string& key, const IniEntry& entry) {
+void StudyReader::add_variation(const std::string& key, const IniEntry& entry, std::vector<Variation>& vary) {
     const std::string name = present_name(key);
     const Parameter* const parameter = scene_key(name, entry);
     if (parameter == nullptr) return;
@@ -196,8 +287,8 @@ void StudyReader::add_variation(const std::string& key, const IniEntry& entry) {
     auto& distribution = std::get<Distribution>(read);
     if (const auto refusal = refusal_of(*parameter, distribution))
         return refuse(refusal->what, entry, parameter->limits, refusal->remedy);
-    for (std::string& value : distribution.values) value = with_absolute_paths(*parameter, value, folder());
-    reading_.study.vary.push_back({name, std::move(distribution)});
+    for (std::string& value : distribution.values) value = with_absolute_paths(*parameter, value, folder_);
+    vary.push_back({name, std::move(distribution)});
 }
 
 void StudyReader::add_correlation(const std::string& keys, const IniEntry& entry) {
@@ -208,61 +299,129 @@ void StudyReader::add_correlation(const std::string& keys, const IniEntry& entry
     if (!rho || !(*rho > -1 && *rho < 1))
         return refuse("is not a rank correlation", entry, "greater than -1, less than 1", "");
     const Correlation one{present_name(words[0]), present_name(words[1]), *rho};
-    auto& all = reading_.study.correlate;
+    auto& all = study_.correlate;
     if (std::any_of(all.begin(), all.end(), [&](const auto& other) { return one.is_of_the_keys_of(other); }))
         return refuse("is given more than once, in either order", entry, "", "Keep one of the lines");
     all.push_back(one);
 }
 
-const Variation* StudyReader::variation_of(const std::string& key) const {
-    const auto& all = reading_.study.vary;
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Variation& one) { return one.key == key; });
-    return found == all.end() ? nullptr : &*found;
+void StudyReader::add_event(const std::string& name, const std::string& scene, const IniEntry& entry) {
+    if (!is_event_name(name)) {
+        refuse("'" + name + "' is not a name of an event", entry,
+               "letters, digits, - and _, " + std::to_string(k_longest_name) + " at most",
+               "Files of the result contain it");
+    } else if (event_of(name) != nullptr) {
+        refuse("there are two events with the name " + name, entry, "",
+               "Give each a section [event NAME] with its scene");
+    } else {
+        study_.events.push_back({name, absolute_path(scene, folder_), {}, {}, {}, {}, {}, {}});
+    }
 }
 
-void StudyReader::check() {
-    const StudySpec& study = reading_.study;
-    if (study.scene.empty())
-        add_problem({"is missing", where(is_region() ? "region.scene" : "study.scene"), "", "a scene file",
-                     "Name the scene whose keys vary"});
-    for (const char* section : {"set.", "vary.", "columns."})
-        if (const std::string scheme = section + std::string("numerics.scheme"); study.scheme && has_seen(scheme))
+void StudyReader::add_scenes(const IniEntry& entry) {
+    std::string rest = entry.value;
+    while (!rest.empty()) {
+        const auto comma = rest.find(',');
+        const std::string scene = trimmed(rest.substr(0, comma));
+        rest = comma == std::string::npos ? "" : rest.substr(comma + 1);
+        if (scene.empty()) {
+            refuse("has an empty name of a scene", entry, "", "Write scene = one.ini, other.ini");
+            continue;
+        }
+        add_event(event_name(absolute_path(scene, folder_)), scene, entry);
+    }
+}
+
+void StudyReader::add_observation(EventSpec& event, const std::string& key, const IniEntry& entry) {
+    // As many bytes in ASCII as in UTF-8.
+    const std::size_t sign = std::min(entry.value.find("+-"), entry.value.find("\u00b1"));
+    const auto value = number_from_text(trimmed(entry.value.substr(0, sign))),
+               error = sign == std::string::npos ? std::optional(0.0)
+                                                 : number_from_text(trimmed(entry.value.substr(sign + 2)));
+    const std::size_t space = key.find(' ');
+    const std::string word = key.substr(0, space), gauge = space == std::string::npos ? "" : trimmed(key.substr(space));
+    const auto kind = std::find_if(std::begin(k_gauge_kinds), std::end(k_gauge_kinds),
+                                   [&](const GaugeKind& one) { return one.word == word; });
+    const bool at_gauge = kind != std::end(k_gauge_kinds) && !gauge.empty();
+    if (key != "runout" && !at_gauge)
+        refuse("unknown key", entry, "",
+               "An event has scene, runout, and at gauges of its scene arrival GAUGE, speed GAUGE, depth GAUGE");
+    else if (!value || !(*value > 0 && *value < 1e9))
+        refuse("is not a number greater than 0", entry, at_gauge ? std::string("in ") + kind->unit : "in m",
+               "Write for example 35, or 35 +- 5 with its standard deviation");
+    else if (!error || !(*error < 1e9) || (sign != std::string::npos && !(*error > 0)))
+        refuse("has an error that is not a number greater than 0", entry, "", "Write for example 35 +- 5");
+    else if (at_gauge)
+        (event.*(kind->values)).push_back({gauge, *value, *error});
+    else
+        event.runout = GaugeValue{"", *value, *error};
+}
+
+void StudyReader::check_scheme(const std::string& event) {
+    for (const char* section : {"set", "vary", "columns"})
+        if (const std::string scheme = name_in(section, "numerics.scheme", event); study_.scheme && has_seen(scheme))
             add_problem({"is also given by scheme", where(scheme), "", "", "Keep one of them"});
-    for (const Variation& one : study.vary)
-        if (has_seen("set." + one.key))
-            add_problem({"is also set for all members", where("vary." + one.key), "", "",
-                         "Keep it in one of [set] and [vary]"});
-    const bool by_table = study.sampling == Sampling::table;
-    const bool has_vary = has_seen_any("vary.");
+}
+
+void StudyReader::check_columns() {
+    check_scheme("");
+    for (const RegionSpec::Column& one : study_.region->columns)
+        for (const std::string& set : study_.set)
+            if (set.starts_with(one.key + "="))
+                add_problem({"is also set for all slopes", where("columns." + one.key), "", "",
+                             "Keep it in one of [set] and [columns]"});
+}
+
+/// @param event whose study it is; empty: not of a calibration
+void StudyReader::check_keys(const StudySpec& study, const std::string& event) {
+    check_scheme(event);
+    for (const Variation& one : study.vary) {
+        const std::string name = name_in("vary", one.key, event);
+        if (has_seen(name_in("set", one.key, event)))
+            add_problem({"is also set for all members", where(name), "", "", "Keep it in one of [set] and [vary]"});
+        if (name != "vary." + one.key && has_seen("vary." + one.key))
+            add_problem({"is given more than once", where(name), one.distribution.text, "", "Keep one of the lines"});
+    }
+    const bool by_table = study.sampling == Sampling::table,
+               has_vary = has_seen_any("vary.") || (!event.empty() && has_seen_any("vary " + event + "."));
     if (by_table && (has_vary || !study.correlate.empty()))
         add_problem({"gives all values: [vary] and [correlate] have no effect", where("study.sampling"), "", "",
                      "Remove the sections, or choose another sampling"});
-    if (is_region()) return check_columns();
     if (!by_table && !has_vary)
         add_problem({"has no key", where("vary"), "", "", "Give at least one key a distribution"});
-    if (variation_of("material.friction-angle") != nullptr && variation_of("material.friction-coefficient") != nullptr)
+    const auto varies = [&](const char* key) {
+        return std::any_of(study.vary.begin(), study.vary.end(), [&](const Variation& one) { return one.key == key; });
+    };
+    if (varies("material.friction-angle") && varies("material.friction-coefficient"))
         add_problem({"contradicts vary.material.friction-coefficient: both give the bed friction",
-                     where("vary.material.friction-angle"), "", "", "Keep one of the two"});
+                     where(name_in("vary", "material.friction-angle", event)), "", "", "Keep one of the two"});
+    check_correlations(study, event);
+}
+
+void StudyReader::check_correlations(const StudySpec& study, const std::string& event) {
     for (const Correlation& one : study.correlate) {
         for (const std::string& key : {one.first, one.second}) {
-            const Variation* const varied = variation_of(key);
+            const auto varied = std::find_if(study.vary.begin(), study.vary.end(),
+                                             [&](const Variation& vary) { return vary.key == key; });
             const std::string place = where("correlate." + one.first + " " + one.second);
-            const bool tried = has_seen("vary." + key);  // its problem is told already
-            if (varied == nullptr && !tried) add_problem({key + " does not vary", place, "", "", "Add it to [vary]"});
-            if (varied != nullptr && varied->distribution.is_nominal())
+            const bool tried = has_seen(name_in("vary", key, event));  // its problem is told already
+            if (varied == study.vary.end() && !tried)
+                add_problem({key + " does not vary", place, "", "", "Add it to [vary]"});
+            if (varied != study.vary.end() && varied->distribution.is_nominal())
                 add_problem({key + " has values without an order, which cannot be correlated", place, "", "",
                              "Remove the line"});
         }
     }
-    check_sampling();
 }
 
-void StudyReader::check_columns() {
-    for (const RegionSpec::Column& one : reading_.study.region->columns)
-        for (const std::string& set : reading_.study.set)
-            if (set.starts_with(one.key + "="))
-                add_problem({"is also set for all slopes", where("columns." + one.key), "", "",
-                             "Keep it in one of [set] and [columns]"});
+void StudyReader::check_events() {
+    if (std::none_of(seen_.begin(), seen_.end(), names_scene))
+        add_problem({"is missing", where("study.scene"), "", "scene files",
+                     "Name the scene of each event, with its [observed]"});
+    std::erase_if(study_.objective, [](const Weight& one) { return !(one.weight > 0); });
+    if (study_.objective.empty())
+        add_problem({"has no measure with a weight greater than 0", where("objective"), "", "",
+                     "Say what is compared with the surveys: [objective] jaccard = 1"});
 }
 
 void StudyReader::check_option(const Variation& vary, std::size_t option, double first_round) {
@@ -281,7 +440,7 @@ void StudyReader::check_option(const Variation& vary, std::size_t option, double
 
 void StudyReader::check_sampling() {
     using Kind = SamplingMethod::Kind;
-    const StudySpec& study = reading_.study;
+    const StudySpec& study = study_;
     const SamplingMethod& method = method_of(study.sampling);
     const auto refuse_for = [&](const std::string& what, const std::string& remedy) {
         add_problem({what, where("study.sampling"), method.name, "", remedy});
@@ -317,144 +476,27 @@ void StudyReader::check_sampling() {
 
 }  // namespace
 
-bool is_study(const std::string& path) {
-    return has_section(path, "study.");
-}
-
-bool is_region(const std::string& path) {
-    return has_section(path, "region.");
-}
-
-namespace {
-
-/// What is known of a study before its entries are read.
-StudyReading begun(const std::string& label) {
-    StudyReading reading;
-    reading.label = label;
-    reading.study.file = fs::absolute(label).lexically_normal().string();
-    return reading;
-}
-
-StudyReading read_entries(const std::vector<IniEntry>& entries, StudyReading reading) {
-    StudyReader reader(reading, fs::path(reading.study.file).parent_path().string());
-    for (const IniEntry& entry : entries) reader.add(entry);
-    reader.check();
-    return reading;
-}
-
-}  // namespace
-
-StudyReading read_study(const std::string& path) {
-    return read_study_entries(read_ini(path), path);
-}
-
-StudyReading read_study_entries(const std::vector<IniEntry>& entries, const std::string& label) {
-    return read_entries(entries, begun(label));
-}
-
-StudyReading read_region(const std::string& path) {
-    StudyReading reading = begun(path);
-    reading.study.sampling = Sampling::polygons;
-    reading.study.region.emplace();
-    return read_entries(read_ini(path), std::move(reading));
-}
-
-// Paths in a study file: absolute where it is used, relative where it is echoed.
-
-namespace {
-
-std::string with_mapped_paths(const Parameter& parameter, const std::string& value, const FileMap& map) {
-    SceneSpec scene;
-    if (!parameter.map_files || parameter.read(scene, value)) return value;
-    parameter.map_files(scene, map);
-    return parameter.write(scene).value_or(value);
-}
-
-}  // namespace
-
-std::string with_absolute_paths(const Parameter& parameter, const std::string& value, const std::string& folder) {
-    return with_mapped_paths(parameter, value, [&](const std::string& path) { return absolute_path(path, folder); });
-}
-
-std::string with_files(const std::string& key, const std::string& value, const KeyedFileMap& map) {
-    // A folder is where something is written, no input.
-    static const std::vector<Parameter>& k_keys = scene_parameters();
-    const Parameter* const parameter = find_parameter(k_keys, key);
-    if (parameter == nullptr || !parameter->reads_files()) return value;
-    return with_mapped_paths(*parameter, value, [&](const std::string& path) { return map(key, path); });
-}
-
-std::vector<std::string> with_files(std::vector<std::string> set, const KeyedFileMap& map) {
-    for (std::string& one : set) {
-        const auto equals = one.find('=');
-        const std::string key = one.substr(0, equals);
-        one = key + "=" + with_files(key, one.substr(equals + 1), map);
+std::optional<StudyKind> study_kind(const std::string& path) {
+    std::optional<StudyKind> kind;
+    for (const IniEntry& entry : read_ini(path)) {
+        if (entry.name.starts_with("objective.") || entry.name.starts_with("event ")) return StudyKind::calibration;
+        if (entry.name.starts_with("region.")) kind = StudyKind::region;
+        if (entry.name.starts_with("study.") && !kind) kind = StudyKind::ensemble;
     }
-    return set;
+    return kind;
 }
 
-std::vector<Variation> with_files(std::vector<Variation> vary, const KeyedFileMap& map) {
-    for (Variation& one : vary)
-        for (std::string& value : one.distribution.values) value = with_files(one.key, value, map);
-    return vary;
-}
-
-StudySpec with_files(StudySpec study, const KeyedFileMap& map) {
-    for (const StudyKey& key : study_keys())
-        if (key.map_files) key.map_files(study, [&](const std::string& path) { return map(key.name(), path); });
-    study.set = with_files(std::move(study.set), map);
-    study.vary = with_files(std::move(study.vary), map);
-    return study;
-}
-
-StudySpec seen_from(StudySpec study, const std::string& folder) {
-    return with_files(std::move(study),
-                      [&](const std::string&, const std::string& path) { return relative_path(path, folder); });
-}
-
-// Sections of a study file as text.
-
-namespace {
-
-std::string quoted_if_needed(const std::string& value) {
-    return value.find_first_of(",:\"") == std::string::npos ? value : '"' + value + '"';
-}
-
-std::string text_of(const Distribution& distribution) {
-    if (distribution.law != Law::choice) return distribution.text;
-    std::string text;
-    for (std::size_t i = 0; i < distribution.values.size(); ++i)
-        text += (i == 0 ? "choice(" : ", ") + quoted_if_needed(distribution.values[i]) + ": " +
-                shortest_text(distribution.weights[i]);
-    return text + ")";
-}
-
-}  // namespace
-
-std::string settings_text(const std::string& section, const std::vector<std::string>& set) {
-    std::string text = set.empty() ? "" : "\n[" + section + "]\n";
-    for (const std::string& one : set)
-        text += one.substr(0, one.find('=')) + " = " + one.substr(one.find('=') + 1) + "\n";
-    return text;
-}
-
-std::string variations_text(const std::string& section, const std::vector<Variation>& vary) {
-    std::string text = vary.empty() ? "" : "\n[" + section + "]\n";
-    for (const Variation& one : vary) text += one.key + " = " + text_of(one.distribution) + "\n";
-    return text;
-}
-
-std::string correlations_text(const StudySpec& study) {
-    std::string text = study.correlate.empty() ? "" : "\n[correlate]\n";
-    for (const Correlation& one : study.correlate)
-        text += one.first + " " + one.second + " = " + shortest_text(one.rho) + "\n";
-    return text;
-}
-
-std::string study_text(const StudySpec& study) {
-    return "# A study as used; `frana ensemble` on this file repeats it.\n\n[study]\n" +
-           keys_text(study_keys(), study, "study") + settings_text("set", study.set) +
-           variations_text("vary", study.vary) + correlations_text(study);
+StudyReading read_study(const std::string& path, StudyKind kind) {
+    StudyReading reading;
+    reading.label = path;
+    reading.study.kind = kind;
+    reading.study.file = fs::absolute(path).lexically_normal().string();
+    if (kind == StudyKind::region) {
+        reading.study.sampling = Sampling::polygons;
+        reading.study.region.emplace();
+    }
+    StudyReader(reading).read(read_ini(path));
+    return reading;
 }
 
 }  // namespace frana::app::study

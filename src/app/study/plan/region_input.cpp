@@ -62,21 +62,9 @@ Prepared prepare_slope(const RegionSpec& region, SceneReading& slope, const std:
     return prepare(slope, place, log);
 }
 
-/// The slopes against which nothing is known, the largest first.
-std::vector<std::size_t> sound_slopes(const StudyInput& input, const SceneReading& of_all) {
-    const gis::PolygonLayer layer = polygons_of(of_all, "", of_all.scene.release.perimeter_layer, true);
-    std::vector<std::pair<double, std::size_t>> sizes;
-    for (std::size_t i = 0; i < layer.features.size() && i < input.slopes.size(); ++i)
-        if (input.slopes[i].problem.empty()) sizes.emplace_back(-area(layer.features[i].parts), i);
-    std::sort(sizes.begin(), sizes.end());
-    std::vector<std::size_t> members;
-    for (const auto& [size, member] : sizes) members.push_back(member);
-    return members;
-}
-
 /// Prepares the largest slope that can be; one that cannot, off the DTM for example, fails alone when it runs. Throws
 /// what is wrong with the largest if none can be.
-void prepare_central(StudyInput& input, const SceneReading& of_all, const std::optional<Problem>& place, RunLog& log) {
+void prepare_central(StudyInput& input, const std::optional<Problem>& place, RunLog& log) {
     const RegionSpec& region = *input.reading.study.region;
     try {
         SceneReading slope = input.central;
@@ -85,7 +73,8 @@ void prepare_central(StudyInput& input, const SceneReading& of_all, const std::o
         doubt_ground(input.central, input.base, log);
     } catch (const Error& error) {
         if (error.kind() != ErrorKind::input || place || !input.central.problems.empty()) throw;
-        for (const std::size_t member : sound_slopes(input, of_all)) {
+        for (const std::size_t member : by_size(input.slopes)) {
+            if (!input.slopes[member].problem.empty()) continue;
             const auto take = [&] {
                 SceneReading slope = input.member(member);
                 input.base = prepare_slope(region, slope, std::nullopt, log);
@@ -120,15 +109,15 @@ void find_problems(const std::function<SceneReading(std::size_t)>& scene_of, std
         }
 }
 
-std::size_t largest_sound(const std::vector<double>& sizes, const std::vector<Slope>& slopes) {
-    std::optional<std::size_t> best;
-    std::size_t largest = 0;
-    for (std::size_t i = 0; i < sizes.size(); ++i) {
-        if (sizes[i] > sizes[largest]) largest = i;
-        if (!slopes[i].problem.empty()) continue;
-        if (!best || sizes[i] > sizes[*best]) best = i;
-    }
-    return best.value_or(largest);
+std::vector<std::size_t> by_size(const std::vector<Slope>& slopes) {
+    std::vector<std::size_t> sound;
+    for (std::size_t i = 0; i < slopes.size(); ++i)
+        if (slopes[i].problem.empty()) sound.push_back(i);
+    if (sound.empty())
+        for (std::size_t i = 0; i < slopes.size(); ++i) sound.push_back(i);
+    std::stable_sort(sound.begin(), sound.end(),
+                     [&](std::size_t a, std::size_t b) { return slopes[a].area > slopes[b].area; });
+    return sound;
 }
 
 void cut_terrain(const RegionSpec& region, SceneReading& reading, RunLog& log) {
@@ -152,7 +141,7 @@ void cut_terrain(const RegionSpec& region, SceneReading& reading, RunLog& log) {
 
 void prepare_region(StudyInput& input, const std::optional<Problem>& place, RunLog& log) {
     const SceneReading of_all = input.scene_with({});
-    prepare_central(input, of_all, place, log);
+    prepare_central(input, place, log);
     input.base.spec.terrain.bounds = of_all.scene.terrain.bounds;
     input.base.spec.release.perimeter_layer = of_all.scene.release.perimeter_layer;
     input.base.scene.time.frame_interval = 0;

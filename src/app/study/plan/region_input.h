@@ -15,9 +15,8 @@ namespace frana::app::study {
 void find_problems(const std::function<SceneReading(std::size_t)>& scene_of, std::vector<Slope>& slopes,
                    Problems& problems);
 
-/// Returns the member with the largest polygon, of a region the largest against which nothing is known, if there is
-/// one.
-std::size_t largest_sound(const std::vector<double>& sizes, const std::vector<Slope>& slopes);
+/// Returns the slopes against which nothing is known, the largest first; if there are none, all.
+std::vector<std::size_t> by_size(const std::vector<Slope>& slopes);
 
 /// Restricts a slope's scene to the terrain that it needs, whatever the size of the DTM; not one with terrain.bounds,
 /// nor one whose need is not known (flow_window), which is run as `frana run` runs it. Throws Error(input).

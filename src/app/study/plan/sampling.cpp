@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <set>
 
@@ -169,10 +168,7 @@ std::string values_text(const SampleTable& table) {
         for (std::size_t k = 0; k < table.keys.size(); ++k) {
             const std::string& value = table.values[member][k];
             std::string shown = value;
-            if (table.nominal[k])
-                shown = with_files(table.keys[k], value, [](const std::string&, const std::string& path) {
-                    return std::filesystem::path(path).filename().string();
-                });
+            if (table.nominal[k]) shown = with_files(table.keys[k], value, without_folder);
             if (shown != value)
                 shown += ", file " + std::to_string(files[k].try_emplace(value, files[k].size()).first->second);
             text += "member " + std::to_string(member) + " " + table.keys[k] + " = " + shown + "\n";
@@ -185,12 +181,7 @@ std::string values_text(const std::vector<std::string>& overrides) {
     for (const std::string& one : overrides) {
         const std::size_t equals = one.find('=');
         const std::string key = one.substr(0, equals);
-        text += key + "=" +
-                with_files(key, one.substr(equals + 1),
-                           [](const std::string&, const std::string& path) {
-                               return std::filesystem::path(path).filename().string();
-                           }) +
-                "\n";
+        text += key + "=" + with_files(key, one.substr(equals + 1), without_folder) + "\n";
     }
     return text;
 }
@@ -229,11 +220,8 @@ SampleTable samples_at(const StudySpec& study, const Places& independent, const 
         return empty_table(study);
     }
     std::vector<std::vector<Value>> of_keys;
-    for (std::size_t k = 0; k < study.vary.size(); ++k) {
-        std::vector<double> column;
-        for (const std::vector<double>& place : table.places) column.push_back(place[k]);
-        of_keys.push_back(values_at(study.vary[k].distribution, column));
-    }
+    for (std::size_t k = 0; k < study.vary.size(); ++k)
+        of_keys.push_back(values_at(study.vary[k].distribution, column_of(table.places, k)));
     for (std::size_t i = 0; i < table.places.size(); ++i) {
         std::vector<Value> values;
         for (const std::vector<Value>& of_key : of_keys) values.push_back(of_key[i]);

@@ -15,6 +15,7 @@
 #include "app/publish/publish_hazard.h"
 #include "app/store/recorded_inputs.h"
 #include "app/store/scene_identity.h"
+#include "app/study/plan/calibration_input.h"
 #include "app/study/plan/read_study.h"
 #include "app/study/plan/region_input.h"
 #include "app/text/number_text.h"
@@ -107,8 +108,7 @@ void take_friction_period(RegionSpec& region, const FrictionTableSpec& table) {
 }
 
 /// Refuses releases of one return period on the friction of another.
-void require_friction_period(const FrictionTableSpec& table, const PolygonMembers& members, const std::string& label,
-                             Problems& problems) {
+void require_friction_period(const FrictionTableSpec& table, StudyTexts& members) {
     const auto& keys = members.table.keys;
     const auto place = std::find(keys.begin(), keys.end(), k_friction_period) - keys.begin();
     for (std::size_t i = 0; i < members.slopes.size(); ++i) {
@@ -118,16 +118,18 @@ void require_friction_period(const FrictionTableSpec& table, const PolygonMember
             is_column ? number_from_text(values[static_cast<std::size_t>(place)]) : table.return_period;
         const auto& event = members.slopes[i].return_period;
         if (!event || !friction || *event == *friction) continue;
-        problems.add({"differs from " + std::string(k_friction_period) + ", of member " + std::to_string(i) + " first",
-                      Place(label, "region.return-period"), shortest_text(*event) + " years",
-                      shortest_text(*friction) + " years",
-                      "Leave out " + std::string(k_friction_period) + ": the event's own is taken"});
+        members.reading.problems.add(
+            {"differs from " + std::string(k_friction_period) + ", of member " + std::to_string(i) + " first",
+             members.reading.where("region.return-period"), shortest_text(*event) + " years",
+             shortest_text(*friction) + " years",
+             "Leave out " + std::string(k_friction_period) + ": the event's own is taken"});
         return;
     }
 }
 
 /// Adds the columns of a region to the values of its members.
-void add_columns(const StudySpec& study, const gis::PolygonLayer& layer, PolygonMembers& members) {
+void add_columns(const gis::PolygonLayer& layer, StudyTexts& members) {
+    const StudySpec& study = members.reading.study;
     const RegionSpec& region = *study.region;
     const std::vector<Parameter>& parameters = scene_parameters();
     const std::string folder = std::filesystem::path(study.file).parent_path().string();
@@ -137,6 +139,7 @@ void add_columns(const StudySpec& study, const gis::PolygonLayer& layer, Polygon
     }
     for (std::size_t i = 0; i < layer.features.size(); ++i) {
         Slope slope = slope_of(region, layer.features[i]);
+        slope.area = area(layer.features[i].parts);
         if (!layer.unusable[i].empty()) slope.problem = layer.unusable[i];
         for (const RegionSpec::Column& one : region.columns) {
             const auto text = text_in(layer.features[i], one.column);
@@ -149,39 +152,35 @@ void add_columns(const StudySpec& study, const gis::PolygonLayer& layer, Polygon
     }
 }
 
-/// Returns a member for each polygon of a scene's release perimeter, in the order of the file. Adds a problem if the
-/// scene names none, or it cannot be read, or no polygon has a column that the region names, or one scenario has
-/// several return periods. What is wrong with a single slope is only kept with it.
-PolygonMembers polygon_members(const StudySpec& study, const std::string& label, const SceneReading& scene,
-                               Problems& problems) {
-    PolygonMembers members;
+/// Adds a member for each polygon of a scene's release perimeter, in the order of the file: release.perimeter-filter
+/// selects it. Adds a problem if the scene names none, or it cannot be read, or no polygon has a column that the region
+/// names, or one scenario has several return periods. What is wrong with a single slope is only kept with it.
+void add_polygons(const SceneReading& scene, StudyTexts& members) {
+    Problems& problems = members.reading.problems;
+    const std::string& label = members.reading.label;
     const ReleaseSpec& release = scene.scene.release;
     const Place where = scene.where("release.perimeter");
-    if (!release.perimeter) {
-        problems.add({"is missing, and a region takes its polygons", where, "", "a vector file",
-                      "Name the file of the release perimeters"});
-        return members;
-    }
-    const std::string key = "release.perimeter-filter", own = release.perimeter_layer.filter.value_or("");
+    if (!release.perimeter)
+        return problems.add({"is missing, and a region takes its polygons", where, "", "a vector file",
+                             "Name the file of the release perimeters"});
+    const std::string own = release.perimeter_layer.filter.value_or("");
     attempt(problems, [&] {
         gis::LayerChoice choice = layer_choice(scene, release.perimeter_layer, "release.perimeter");
         choice.keep_unusable = true;
         const gis::PolygonLayer layer = gis::read_polygons(*release.perimeter, "", where, choice);
-        members.table.keys = {key};
+        members.table.keys = {"release.perimeter-filter"};
         members.table.nominal = {true};
         for (std::size_t i = 0; i < layer.conditions.size(); ++i) {
             const std::string& condition = layer.conditions[i];
             members.table.values.push_back({own.empty() ? condition : "(" + own + ") AND " + condition});
             members.table.numbers.push_back({static_cast<double>(i)});
             members.table.weights.push_back(1);
-            members.sizes.push_back(area(layer.features[i].parts));
         }
-        require_columns(*study.region, layer, label, problems);
-        add_columns(study, layer, members);
+        require_columns(*members.reading.study.region, layer, label, problems);
+        add_columns(layer, members);
         require_one_period(members.slopes, label, problems);
-        require_friction_period(scene.scene.friction_table, members, label, problems);
+        require_friction_period(scene.scene.friction_table, members);
     });
-    return members;
 }
 
 SceneReading read_member(const StudyReading& reading, const std::vector<std::string>& overrides) {
@@ -300,6 +299,13 @@ void read_scenes(const std::vector<std::string>& central, bool quiet, StudyTexts
 
 }  // namespace
 
+std::vector<const StudyInput*> StudyInput::studies() const {
+    std::vector<const StudyInput*> all;
+    for (const StudyInput& event : own) all.push_back(&event);
+    if (all.empty()) all.push_back(this);
+    return all;
+}
+
 std::size_t StudyInput::members() const {
     return table.parts.empty() ? table.size() : static_cast<std::size_t>(reading.study.samples);
 }
@@ -319,26 +325,33 @@ SceneReading StudyInput::scene_with(const std::vector<std::string>& overrides) c
     return read_member(reading, overrides);
 }
 
-StudyTexts read_study_texts(const std::string& path, const Session& session, RunLog& log,
+StudyTexts read_study_texts(const std::string& path, StudyKind kind, const Session& session, RunLog& log,
                             const std::optional<std::int64_t>& samples) {
     StudyTexts texts;
-    texts.reading = is_region(path) ? read_region(path) : read_study(path);
+    texts.reading = read_study(path, kind);
     if (samples) texts.reading.study.samples = *samples;
     texts.reading.session = session;
-    find_recorded_inputs(texts.reading, log);
+    const auto map_files = [&](const NamingText::FileMap& map) {
+        texts.reading.study = with_files(std::move(texts.reading.study), map);
+    };
+    const auto where = [&](const std::string& key) { return texts.reading.where(key); };
+    const auto is_replaced = [](const std::string&) { return false; };
+    find_recorded_files({map_files, where, is_replaced, true},
+                        std::filesystem::path(texts.reading.study.file).parent_path().string(), log);
+    if (kind == StudyKind::calibration) {
+        read_events(texts, log);
+        return texts;
+    }
     if (texts.reading.study.scene.empty()) texts.reading.problems.throw_if_any();
     std::vector<std::string> central;
     try {
         if (texts.reading.study.region) {
             const SceneReading scene = read_member(texts.reading, {});
             take_friction_period(*texts.reading.study.region, scene.scene.friction_table);
-            PolygonMembers members =
-                polygon_members(texts.reading.study, texts.reading.label, scene, texts.reading.problems);
-            texts.table = std::move(members.table);
-            texts.slopes = std::move(members.slopes);
+            add_polygons(scene, texts);
             find_problems([&](std::size_t i) { return read_member(texts.reading, texts.table.overrides(i)); },
                           texts.slopes, texts.reading.problems);
-            if (texts.table.size() > 0) central = texts.table.overrides(largest_sound(members.sizes, texts.slopes));
+            if (texts.table.size() > 0) central = texts.table.overrides(by_size(texts.slopes).front());
         } else {
             texts.table = read_samples(texts.reading);
             central = central_overrides(texts.reading.study, texts.table);
@@ -363,6 +376,7 @@ StudyTexts read_study_scenes(StudyReading reading, SampleTable table) {
 }
 
 StudyInput prepare_study(StudyTexts texts, const std::optional<Problem>& place, RunLog& log) {
+    if (texts.reading.study.is_calibration()) return prepare_events(std::move(texts), place, log);
     StudyInput input;
     input.reading = std::move(texts.reading);
     input.table = std::move(texts.table);
@@ -421,38 +435,6 @@ std::vector<MappedEvents> mapped_events(const SceneSpec& scene) {
 
 RecordExtras record_extras(const SceneSpec& scene) {
     return {!scene.output.pressure_thresholds.empty(), hazard_scheme_of(scene)};
-}
-
-namespace {
-
-bool is_never_replaced(const std::string&) {
-    return false;
-}
-
-std::string folder_of(const std::string& file) {
-    return std::filesystem::path(file).parent_path().string();
-}
-
-}  // namespace
-
-void find_recorded_inputs(StudyReading& reading, RunLog& log) {
-    const auto where = [&](const std::string& key) {
-        const bool of_region = reading.study.region && key.starts_with("study.");
-        return reading.where(of_region ? "region" + key.substr(key.find('.')) : key);
-    };
-    find_recorded_files(
-        {[&](const NamingText::FileMap& map) { reading.study = with_files(std::move(reading.study), map); }, where,
-         is_never_replaced, true},
-        folder_of(reading.study.file), log);
-}
-
-void find_recorded_inputs(CalibrationReading& reading, RunLog& log) {
-    const auto map_files = [&](const NamingText::FileMap& map) {
-        reading.calibration = with_files(std::move(reading.calibration), map);
-    };
-    find_recorded_files(
-        {map_files, [&](const std::string& key) { return reading.where(key); }, is_never_replaced, true},
-        folder_of(reading.calibration.study.file), log);
 }
 
 }  // namespace frana::app::study

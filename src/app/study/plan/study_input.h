@@ -9,7 +9,6 @@
 
 #include "app/input/prepare.h"
 #include "app/study/member_record.h"
-#include "app/study/plan/read_calibration.h"
 #include "app/study/plan/read_study.h"
 #include "app/study/plan/sampling.h"
 #include "app/text/run_log.h"
@@ -22,18 +21,12 @@ namespace frana::app::study {
 struct Slope {
     std::string name, group, scenario;  ///< empty: no such column or no value
     std::optional<double> return_period;
+    double area = 0;       ///< in the layer's CRS
     std::string problem;   ///< why it cannot be computed; empty: nothing is known against it
     MultiPolygon outline;  ///< in the working CRS, once that is known
 };
 
-/// The members of a study with a polygon each.
-struct PolygonMembers {
-    SampleTable table;            ///< release.perimeter-filter selects the polygon; of a region also its columns
-    std::vector<double> sizes;    ///< areas, by member
-    std::vector<Slope> slopes{};  ///< by member
-};
-
-/// A study with everything checked that can be checked before its members run.
+/// A study with everything checked that can be checked before its members run. Of a calibration each event is a study.
 struct StudyInput {
     StudyReading reading;
     SampleTable table;
@@ -46,6 +39,13 @@ struct StudyInput {
     std::string identity;
     Deposit kept_deposit = Deposit::none;  ///< of the members' records
     bool runs_on = true;                   ///< whether members that time.end cuts run on; not where they are compared
+    Places design;                         ///< of a calibration: first members, in all keys
+    std::vector<StudyInput> own;           ///< of a calibration, by event: the members so far, at first the design
+
+    [[nodiscard]] const StudySpec& spec() const noexcept { return reading.study; }
+    [[nodiscard]] std::size_t events() const noexcept { return own.size(); }
+    /// Those whose members run: its events, or itself.
+    [[nodiscard]] std::vector<const StudyInput*> studies() const;
 
     /// Number of members that the study will have, at most.
     [[nodiscard]] std::size_t members() const;
@@ -60,21 +60,24 @@ struct StudyTexts {
     StudyReading reading;
     SampleTable table;
     std::vector<Slope> slopes;
-    SceneReading central;  ///< its problems contain those of the study and of all members
+    SceneReading central;  ///< its problems contain those of the study and of all members; of a calibration the first's
+    Places design;         ///< StudyInput::design
+    std::vector<StudyTexts> events;  ///< of a calibration
 };
 
-/// Reads study (or region), table and scene, draws the members, and reads the scene of each. The study file of a
-/// result, which may have been moved, finds its inputs as find_recorded_inputs(). Throws Error(input) only if a file is
-/// no INI, the study names no scene, or an input of such a result is missing.
+/// Reads study, table and scenes, draws the members, of a calibration the first, and reads the scene of each. The study
+/// file of a result, which may have been moved, finds its inputs as find_recorded_inputs() those of a scene. Throws
+/// Error(input) only if a file is no INI, no scene is named, or an input of such a result is missing.
 /// @param samples in place of study.samples
-StudyTexts read_study_texts(const std::string& path, const Session& session, RunLog& log,
+StudyTexts read_study_texts(const std::string& path, StudyKind kind, const Session& session, RunLog& log,
                             const std::optional<std::int64_t>& samples = std::nullopt);
 
 /// The same for members that are known already.
 StudyTexts read_study_scenes(StudyReading reading, SampleTable table);
 
-/// Prepares the central member, and a member for each value of keys without order, such as files. Throws Error(input)
-/// with every problem found, and with that of the result's place as prepare().
+/// Prepares the central member, and a member for each value of keys without order, such as files; of a calibration
+/// those of each event, which must have what is compared. Throws Error(input) with every problem found, and with that
+/// of the result's place as prepare().
 StudyInput prepare_study(StudyTexts texts, const std::optional<Problem>& place, RunLog& log);
 
 /// Events "a quantity exceeds a threshold" whose probability a study maps.
@@ -99,10 +102,5 @@ RareEvent rare_event(const StudyInput& input);
 
 /// Returns what a member's record must contain for them.
 RecordExtras record_extras(const SceneSpec& scene);
-
-/// For the study file of a result, which may have been moved: compares the files that it names (scenes, table, files in
-/// [set] and [vary]) with inputs.json beside it, as find_recorded_inputs() those of a scene.
-void find_recorded_inputs(StudyReading& reading, RunLog& log);
-void find_recorded_inputs(CalibrationReading& reading, RunLog& log);
 
 }  // namespace frana::app::study

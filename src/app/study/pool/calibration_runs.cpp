@@ -33,46 +33,41 @@ std::string record_place(const RunSetting& setting, const std::string& event) {
 }
 
 void require_a_member(const EventRuns& runs, const EventSpec& event) {
-    const auto finished = [](const MemberOutcome& one) { return one.failure.empty(); };
-    if (std::any_of(runs.members.begin(), runs.members.end(), finished)) return;
-    throw Error(ErrorKind::numerical,
-                Problem{"no member of the event finished; the first: " + runs.members.front().failure,
-                        "event " + event.name, event.members.study.scene, "",
-                        "`frana run` on the scene shows more; correct the scene or the ranges in [vary]"});
+    if (failed_of(runs.members) < runs.members.size()) return;
+    throw Error(
+        ErrorKind::numerical,
+        Problem{"no member of the event finished; the first: " + runs.members.front().failure, "event " + event.name,
+                event.scene, "", "`frana run` on the scene shows more; correct the scene or the ranges in [vary]"});
 }
 
 /// Compares the records of an event's members from `first` on with its survey, and adds them to its runs.
-void compare_members(const CalibrationInput& input, std::size_t event, const StudyInput& members, std::size_t first,
+void compare_members(const StudyInput& input, std::size_t event, const StudyInput& members, std::size_t first,
                      EventRuns& runs) {
     const Prepared& base = members.base;
     FinishedMembers finished;
     const RecordFiles records(runs.records);
     for (std::size_t i = first; i < members.table.size(); ++i) {
-        const MemberRecord record = require_own_record(members, records.place(i), i);
-        runs.members.push_back({record.failure, {}, record.engine_seconds, record.end});
-        if (record.finished()) finished.records.push_back(records.place(i));
+        runs.members.push_back(result_of(require_own_record(members, records.place(i), i)));
+        if (runs.members.back().failure.empty()) finished.records.push_back(records.place(i));
     }
     const EventSurvey survey(base, input.spec().events[event], input.spec().objective,
                              reached_window(finished, base.scene.grid));
-    runs.cell_size = base.scene.grid.cell_size;
     runs.measures = survey.measures();
     runs.observed_runout = survey.observed_runout();
     runs.pieces = survey.pieces();
     for (std::size_t i = first; i < runs.members.size(); ++i)
-        if (runs.members[i].failure.empty())
-            runs.members[i].agreement = survey.compare(require_record(records.place(i)));
+        runs.agreements.push_back(runs.members[i].failure.empty() ? survey.compare(require_record(records.place(i)))
+                                                                  : MemberAgreement{k_no_data, {}, k_no_data});
 }
 
 /// Runs the members that are not in `runs` yet for every event. Returns false if a signal stopped it.
-bool run_members(CalibrationInput& input, const RunSetting& setting, RunLog& log, CalibrationRuns& runs) {
-    const CalibrationSpec& calibration = input.spec();
-    runs.tables.clear();
+bool run_members(StudyInput& input, const RunSetting& setting, RunLog& log, CalibrationRuns& runs) {
+    const StudySpec& calibration = input.spec();
     runs.events.resize(input.events());
     Problems of_values;  // a value outside its key's range: the member fails with the reason
     for (std::size_t e = 0; e < input.events(); ++e) {
         StudyInput& study = input.own[e];
-        study.table = members_at(calibration, e, runs.places, of_values);
-        runs.tables.push_back(study.table);
+        study.table = members_at(input.reading, e, runs.places, of_values);
         EventRuns& of_event = runs.events[e];
         of_event.records = record_place(setting, calibration.events[e].name);
         MemberRunner runner(study, of_event.records, setting.threads, setting.quiet, setting.ranks, e);
@@ -89,58 +84,40 @@ bool run_members(CalibrationInput& input, const RunSetting& setting, RunLog& log
 
 }  // namespace
 
-RankStudies studies_of(CalibrationInput input) {
-    return {std::move(input.own), std::move(input.identity)};
-}
-
 std::vector<std::vector<double>> CalibrationRuns::misfits() const {
     std::vector<std::vector<double>> all(size());
     for (std::size_t i = 0; i < size(); ++i)
-        for (const EventRuns& event : events) {
-            const MemberOutcome& one = event.members[i];
-            all[i].push_back(one.failure.empty() ? one.agreement.misfit : k_no_data);
-        }
+        for (const EventRuns& event : events) all[i].push_back(event.agreements[i].misfit);
     return all;
 }
 
-std::vector<RunOfStudy> CalibrationRuns::runs() const {
-    std::vector<RunOfStudy> all;
-    for (const EventRuns& event : events)
-        for (std::size_t i = 0; i < event.members.size(); ++i)
-            all.push_back({i, event.members[i].end, event.members[i].failure});
+std::vector<MemberResult> CalibrationRuns::runs() const {
+    std::vector<MemberResult> all;
+    for (const EventRuns& event : events) all.insert(all.end(), event.members.begin(), event.members.end());
     return all;
 }
 
-std::size_t CalibrationRuns::failed() const {
-    std::size_t count = 0;
-    for (const EventRuns& event : events)
-        for (const MemberOutcome& one : event.members) count += one.failure.empty() ? 0 : 1;
-    return count;
-}
-
-CalibrationModel model_of(const CalibrationSpec& calibration, const CalibrationRuns& runs) {
+CalibrationModel model_of(const StudySpec& calibration, const CalibrationRuns& runs) {
     std::vector<CubeKey> keys;
-    for (const Variation& one : calibration.study.vary) keys.push_back({one.distribution, std::nullopt});
+    for (const Variation& one : calibration.vary) keys.push_back({one.distribution, std::nullopt});
     std::vector<EventEvidence> evidence;
     for (std::size_t e = 0; e < runs.events.size(); ++e) {
         for (const Variation& one : calibration.events[e].vary) keys.push_back({one.distribution, e});
         const bool is_stated = runs.events[e].pieces > 0;
         EventEvidence& of_event = evidence.emplace_back(
             EventEvidence{{}, is_stated ? runs.events[e].pieces : calibration.exponent, is_stated});
-        for (const MemberOutcome& one : runs.events[e].members)
-            of_event.distances.push_back(!one.failure.empty() ? k_no_data
-                                         : is_stated          ? std::sqrt(one.agreement.chi_square)
-                                                              : one.agreement.misfit);
+        for (const MemberAgreement& one : runs.events[e].agreements)
+            of_event.distances.push_back(is_stated ? std::sqrt(one.chi_square) : one.misfit);
     }
-    StudySpec prior = all_keys(calibration);
+    StudySpec prior = calibration.of_all_events();
     prior.samples = k_prior_places;
     prior.sampling = Sampling::sobol;
-    return {std::move(keys), runs.places, std::move(evidence), draw_places(prior), calibration.study.seed + 1};
+    return {std::move(keys), runs.places, std::move(evidence), draw_places(prior), calibration.seed + 1};
 }
 
-std::optional<CalibrationRuns> run_calibration(CalibrationInput& input, const RunSetting& setting, RunLog& log) {
-    const CalibrationSpec& calibration = input.spec();
-    const auto most = static_cast<std::size_t>(calibration.study.samples);
+std::optional<CalibrationRuns> run_calibration(StudyInput& input, const RunSetting& setting, RunLog& log) {
+    const StudySpec& calibration = input.spec();
+    const auto most = static_cast<std::size_t>(calibration.samples);
     CalibrationRuns runs;
     runs.places = input.design;
     runs.design = input.design.size();

@@ -14,27 +14,19 @@
 
 namespace frana::app::study {
 
-/// One member's run of one event.
-struct MemberOutcome {
-    std::string failure;        ///< empty: finished
-    MemberAgreement agreement;  ///< of a finished one
-    double engine_seconds = 0;
-    MemberEnd end;
-};
-
 /// Runs of one event, and how far they are from its survey.
 struct EventRuns {
     std::vector<Weight> measures;  ///< of MemberAgreement::parts
-    std::vector<MemberOutcome> members;
-    double cell_size = 0, observed_runout = 0;  ///< [m]
-    double pieces = 0;                          ///< EventSurvey::pieces()
-    std::string records;                        ///< the folder that contains their folder of records
+    std::vector<MemberResult> members;
+    std::vector<MemberAgreement> agreements;  ///< by member; NaN of one that failed
+    double observed_runout = 0;               ///< [m]
+    double pieces = 0;                        ///< EventSurvey::pieces()
+    std::string records;                      ///< the folder that contains their folder of records
 };
 
 /// Members at places in all keys, run for every event.
 struct CalibrationRuns {
-    Places places;                    ///< independent ones; the first are the design
-    std::vector<SampleTable> tables;  ///< by event
+    Places places;  ///< independent ones; the first are the design
     std::vector<EventRuns> events;
     std::size_t design = 0;
     std::size_t computed = 0;  ///< runs in this session
@@ -46,9 +38,7 @@ struct CalibrationRuns {
     /// By member and event; NaN where a member failed.
     [[nodiscard]] std::vector<std::vector<double>> misfits() const;
     /// All runs of all events.
-    [[nodiscard]] std::vector<RunOfStudy> runs() const;
-    /// Number of runs that failed.
-    [[nodiscard]] std::size_t failed() const;
+    [[nodiscard]] std::vector<MemberResult> runs() const;
 };
 
 /// What runs the members of a calibration.
@@ -59,16 +49,13 @@ struct RunSetting {
     RankPool* ranks = nullptr;  ///< the other processes under mpirun; null: none
 };
 
-/// What another rank reads of a calibration: its events.
-RankStudies studies_of(CalibrationInput input);
-
 /// Returns what the members say of all places.
-CalibrationModel model_of(const CalibrationSpec& calibration, const CalibrationRuns& runs);
+CalibrationModel model_of(const StudySpec& calibration, const CalibrationRuns& runs);
 
 /// Runs the members that have no record: first the design, then batch by batch those that CalibrationModel::next()
 /// chooses, until the posterior has settled or study.samples are run. Batches have max(4, members / 5) members, so that
 /// bits are the same for any number of threads, and after a resume. Returns none if a signal stopped it. Throws
 /// Error(numerical) if no member of an event finished, with the reason, and Error(environment).
-std::optional<CalibrationRuns> run_calibration(CalibrationInput& input, const RunSetting& setting, RunLog& log);
+std::optional<CalibrationRuns> run_calibration(StudyInput& input, const RunSetting& setting, RunLog& log);
 
 }  // namespace frana::app::study

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <exception>
 #include <string>
 #include <utility>
@@ -15,6 +13,7 @@
 #include "app/study/plan/study_input.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
+#include "core/archive.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "params/keys/scene_parameters.h"
@@ -199,63 +198,44 @@ int kind_of(RankMessage message) noexcept {
     return static_cast<int>(message);
 }
 
-/// Returns bytes with a number before them.
-std::string with_number(std::size_t number, const std::string& rest = {});
-
-std::string with_number(std::size_t number, const std::string& rest) {
-    const std::uint64_t value = number;
-    std::string bytes(sizeof value, '\0');
-    std::memcpy(bytes.data(), &value, sizeof value);
-    return bytes + rest;
+/// Returns values as bytes.
+template <class... T>
+std::string packed(T... values) {
+    std::string bytes;
+    StateWriter writer(
+        [&](const void* from, std::size_t count) { bytes.append(static_cast<const char*>(from), count); });
+    writer(values...);
+    return bytes;
 }
 
-/// Takes the number off again.
-std::size_t take_number(std::string& bytes) {
-    std::uint64_t value = 0;
-    if (bytes.size() < sizeof value)
+/// The same values again.
+template <class... T>
+void unpack(const std::string& bytes, T&... values) {
+    const char* next = bytes.data();
+    StateReader reader(
+        [&](void* to, std::size_t count) {
+            std::copy_n(next, count, static_cast<char*>(to));
+            next += count;
+        },
+        bytes.size());
+    try {
+        reader(values...);
+    } catch (const Error&) {
         throw Error(ErrorKind::environment, Problem{"a message of another rank is damaged", "MPI", "", "",
                                                     "Start the same version of frana on all machines"});
-    std::memcpy(&value, bytes.data(), sizeof value);
-    bytes.erase(0, sizeof value);
-    return static_cast<std::size_t>(value);
+    }
 }
 
-std::string take_text(std::string& bytes) {
-    const std::size_t size = take_number(bytes);
-    std::string text = bytes.substr(0, size);
-    bytes.erase(0, size);
-    return text;
-}
-
-/// Returns a task as bytes.
-std::string bytes_of(const MemberTask& task) {
-    std::string bytes = with_number(task.member) + with_number(task.study);
-    for (const std::string& text : task.overrides) bytes += with_number(text.size(), text);
-    return bytes;
-}
-
-MemberTask task_from(std::string bytes) {
-    MemberTask task{take_number(bytes), {}, take_number(bytes)};
-    while (!bytes.empty()) task.overrides.push_back(take_text(bytes));
-    return task;
-}
-
-/// Returns the kind and the first problem of an error as bytes.
-std::string bytes_of(const Error& error, const std::string& rank) {
+/// The kind and the first problem of an error, which says in which rank it happened.
+std::string packed_error(const Error& error, const std::string& rank) {
     const Problem& first = error.problems().front();
-    std::string bytes = with_number(static_cast<std::size_t>(error.kind()));
-    for (const std::string& text : {rank + ": " + first.what, first.where.text, first.value, first.limit, first.remedy})
-        bytes += with_number(text.size(), text);
-    return bytes;
+    return packed(error.kind(), rank + ": " + first.what, first.where.text, first.value, first.limit, first.remedy);
 }
 
-/// Returns that error, which says in which rank it happened.
-Error error_from(std::string bytes) {
-    const auto kind = static_cast<ErrorKind>(take_number(bytes));
+Error error_from(const std::string& bytes) {
+    ErrorKind kind = ErrorKind::environment;
     Problem problem;
-    for (std::string* const text :
-         {&problem.what, &problem.where.text, &problem.value, &problem.limit, &problem.remedy})
-        *text = take_text(bytes);
+    unpack(bytes, kind, problem.what, problem.where.text, problem.value, problem.limit, problem.remedy);
     return {kind, problem};
 }
 
@@ -276,7 +256,7 @@ void wait_for_stop(const Job& job) {
 
 void send_problem(const Job& job, const std::exception_ptr& problem) {
     const auto send = [&](const Error& error) {
-        job.send(0, kind_of(RankMessage::problem), bytes_of(error, job.name()));
+        job.send(0, kind_of(RankMessage::problem), packed_error(error, job.name()));
     };
     try {
         std::rethrow_exception(problem);
@@ -289,11 +269,9 @@ void send_problem(const Job& job, const std::exception_ptr& problem) {
     }
 }
 
-void run_members(const Job& job, const std::vector<StudyInput>& studies, int threads) {
-    std::vector<const StudyInput*> inputs;
-    for (const StudyInput& one : studies) inputs.push_back(&one);
-    MemberThreads members(std::move(inputs), threads);
-    job.send(0, kind_of(RankMessage::ready), with_number(static_cast<std::size_t>(threads)));
+void run_members(const Job& job, const StudyInput& study, int threads) {
+    MemberThreads members(study.studies(), threads);
+    job.send(0, kind_of(RankMessage::ready), packed(static_cast<std::size_t>(threads)));
     bool told = false, has_spare = false;
     std::optional<Stopwatch> since_first;
     for (;;) {
@@ -301,28 +279,30 @@ void run_members(const Job& job, const std::vector<StudyInput>& studies, int thr
             if (is(*message, RankMessage::stop)) return;
             if (!is(*message, RankMessage::member)) continue;
             if (!since_first) since_first.emplace();
-            members.add(task_from(std::move(message->bytes)));
+            MemberTask task;
+            unpack(message->bytes, task);
+            members.add(std::move(task));
         }
         while (const auto record = members.take_record()) {
-            job.send(0, kind_of(RankMessage::record), with_number(record->member, record->bytes));
+            job.send(0, kind_of(RankMessage::record), packed(record->member, record->bytes));
             // Short members: as many wait here, so that no thread waits for a message. Long ones are better shared out.
             constexpr double k_short = 1;  // [s]
             if (!std::exchange(has_spare, true) && since_first->seconds() < k_short)
-                job.send(0, kind_of(RankMessage::ready), with_number(static_cast<std::size_t>(threads)));
+                job.send(0, kind_of(RankMessage::ready), packed(static_cast<std::size_t>(threads)));
         }
         if (const std::exception_ptr problem = members.take_problem()) send_problem(job, problem);
         if (stop_signal() != 0 && !std::exchange(told, true))
-            job.send(0, kind_of(RankMessage::interrupted), with_number(static_cast<std::size_t>(stop_signal())));
+            job.send(0, kind_of(RankMessage::interrupted), packed(stop_signal()));
         wait_a_moment();
     }
 }
 
 }  // namespace
 
-void work_for_rank_0(const Job& job, const std::function<RankStudies()>& read, const std::string& file, int threads) {
+void work_for_rank_0(const Job& job, const std::function<StudyInput()>& read, const std::string& file, int threads) {
     catch_stop_signals();
     std::exception_ptr problem;
-    RankStudies own;
+    StudyInput own;
     try {
         own = read();
     } catch (...) {
@@ -338,7 +318,7 @@ void work_for_rank_0(const Job& job, const std::function<RankStudies()>& read, c
             send_problem(job, problem);
             wait_for_stop(job);
         } else {
-            run_members(job, own.studies, threads);
+            run_members(job, own, threads);
         }
     }
     job.send(0, kind_of(RankMessage::bye));
@@ -364,21 +344,24 @@ void RankPool::start(const std::string& identity) {
 }
 
 void RankPool::handle(Message& message, const std::function<void(std::size_t, const std::string&)>& keep) {
+    std::size_t number = 0;
     switch (static_cast<RankMessage>(message.kind)) {
         case RankMessage::ready:
-            free_.insert(free_.end(), take_number(message.bytes), message.from);
+            unpack(message.bytes, number);
+            free_.insert(free_.end(), number, message.from);
             return;
         case RankMessage::record: {
-            const std::size_t member = take_number(message.bytes);
+            std::string record;
+            unpack(message.bytes, number, record);
             free_.push_back(message.from);
-            out_.erase(member);
-            keep(member, message.bytes);
+            out_.erase(number);
+            keep(number, record);
             return;
         }
         case RankMessage::problem:
             throw error_from(message.bytes);
         case RankMessage::interrupted:
-            interrupted_ = static_cast<int>(take_number(message.bytes));
+            unpack(message.bytes, interrupted_);
             return;
         case RankMessage::start:
         case RankMessage::member:
@@ -395,7 +378,7 @@ void RankPool::exchange(const std::function<std::optional<MemberTask>()>& take,
         const auto task = take();
         if (!task) return;
         out_[task->member] = free_.front();
-        job_.send(free_.front(), kind_of(RankMessage::member), bytes_of(*task));
+        job_.send(free_.front(), kind_of(RankMessage::member), packed(*task));
         free_.pop_front();
     }
 }

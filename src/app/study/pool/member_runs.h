@@ -26,8 +26,13 @@ namespace frana::app::study {
 struct MemberTask {
     std::size_t member = 0;
     std::vector<std::string> overrides;  ///< "key=value"
-    std::size_t study = 0;               ///< of several whose members one command runs, as a calibration's events
+    std::size_t study = 0;               ///< of StudyInput::studies()
 };
+
+template <class Archive>
+void serialise(Archive& archive, MemberTask& task) {
+    archive(task.member, task.overrides, task.study);
+}
 
 /// Returns the record of a member of this study: with its number and its values; none if there is no such record.
 std::optional<MemberRecord> own_record(const StudyInput& input, const RecordPlace& place, std::size_t member);
@@ -71,17 +76,11 @@ class MemberThreads {
     std::vector<std::thread> threads_;
 };
 
-/// What a rank reads: everything of which rank 0 may give it members.
-struct RankStudies {
-    std::vector<StudyInput> studies;  ///< by MemberTask::study
-    std::string identity;             ///< as rank 0 has it (RankPool::start)
-};
-
 /// A rank other than 0 of a study: reads it, runs the members that rank 0 gives it, each on one thread, and sends their
 /// records back. Writes neither files nor messages: rank 0 is told of problems. Returns once rank 0 has nothing more to
 /// do.
 /// @param file of the study, for messages
-void work_for_rank_0(const Job& job, const std::function<RankStudies()>& read, const std::string& file, int threads);
+void work_for_rank_0(const Job& job, const std::function<StudyInput()>& read, const std::string& file, int threads);
 
 /// The other ranks of a study, seen from rank 0: each gets a member whenever one of its threads is free, and sends back
 /// the record, which rank 0 alone writes: files need not appear on several machines at once.
@@ -120,7 +119,7 @@ class MemberRunner {
   public:
     /// @param folder in which the result is being built
     /// @param ranks the other processes; null: none
-    /// @param study its number among the studies that these have read (RankStudies)
+    /// @param study its number among StudyInput::studies() of what these have read
     MemberRunner(const StudyInput& input, const std::string& folder, int threads, bool quiet, RankPool* ranks = nullptr,
                  std::size_t study = 0);
 

@@ -24,7 +24,6 @@ Sentence count(std::size_t number) {
 /// A warning of the runs, told with the one whose figure is the worst.
 struct KindOfWarning {
     Sentence worst;
-    std::string table;
     std::size_t member = 0, runs = 0;
     double severity = 0;
 };
@@ -37,11 +36,25 @@ double severity_of(const Sentence& warning) {
 
 }  // namespace
 
-Troubles troubles_of(const std::vector<RunOfStudy>& runs, bool each_counts) {
+MemberResult result_of(MemberRecord record) {
+    return {static_cast<std::size_t>(record.member),
+            record.failure,
+            std::move(record.end),
+            std::move(record.figures),
+            record.engine_seconds,
+            record.grid().bounds()};
+}
+
+std::size_t failed_of(const std::vector<MemberResult>& runs) {
+    return static_cast<std::size_t>(
+        std::count_if(runs.begin(), runs.end(), [](const MemberResult& run) { return !run.failure.empty(); }));
+}
+
+Troubles troubles_of(const std::vector<MemberResult>& runs, bool each_counts) {
     Troubles all;
     all.each_counts = each_counts;
     all.runs = runs.size();
-    for (const RunOfStudy& run : runs) {
+    for (const MemberResult& run : runs) {
         all.failed += run.failure.empty() ? 0 : 1;
         all.warned += run.end.warnings.empty() ? 0 : 1;
         all.flew += std::any_of(run.end.warnings.begin(), run.end.warnings.end(),
@@ -60,10 +73,10 @@ Troubles troubles_of(const std::vector<RunOfStudy>& runs, bool each_counts) {
     return all;
 }
 
-Warnings kinds_of_warnings(const std::vector<RunOfStudy>& runs, const Warnings& known) {
+Warnings kinds_of_warnings(const std::vector<MemberResult>& runs, const Warnings& known, const std::string& table) {
     std::vector<std::string> order;
     std::map<std::string, KindOfWarning> kinds;
-    for (const RunOfStudy& run : runs) {
+    for (const MemberResult& run : runs) {
         std::set<std::string> told;
         for (const Warning& warning : without(run.end.warnings, known)) {
             const std::string& pattern = warning.words.pattern();
@@ -75,7 +88,6 @@ Warnings kinds_of_warnings(const std::vector<RunOfStudy>& runs, const Warnings& 
             if (!is_new && !(severity > kind.severity)) continue;
             kind.worst = warning.words;
             kind.member = run.member;
-            kind.table = run.table;
             kind.severity = severity;
         }
     }
@@ -83,10 +95,10 @@ Warnings kinds_of_warnings(const std::vector<RunOfStudy>& runs, const Warnings& 
     for (const std::string& pattern : order) {
         const KindOfWarning& kind = kinds.at(pattern);
         const Sentence some = count(kind.runs), all = count(runs.size()), member = count(kind.member);
-        sentences.push_back(kind.table.empty() ? worded("{1} of {2} runs warn, most of all member {3}: {4}",
-                                                        {some, all, member, kind.worst})
-                                               : worded("{1} of {2} runs warn, most of all member {3} of {4}: {5}",
-                                                        {some, all, member, kind.table, kind.worst}));
+        sentences.push_back(
+            table.empty() ? worded("{1} of {2} runs warn, most of all member {3}: {4}", {some, all, member, kind.worst})
+                          : worded("{1} of {2} runs warn, most of all member {3} of {4}: {5}",
+                                   {some, all, member, table, kind.worst}));
     }
     return sentences;
 }
@@ -99,75 +111,39 @@ std::vector<std::string> end_values(const MemberEnd& end) {
             cell(end.energy_error),  std::to_string(end.warnings.size())};
 }
 
-void add_end(const MemberEnd& end, std::map<std::string, double>& numbers, std::map<std::string, std::string>& texts) {
-    texts["stop_reason"] = end.stop_reason;
-    numbers["warnings"] = static_cast<double>(end.warnings.size());
-    if (end.stop_reason.empty()) return;
-    numbers[k_end_key] = end.end;
-    numbers["moving_fraction"] = end.moving_fraction;
-    numbers["left_domain_fraction"] = end.left_fraction;
-    numbers["held_by_no_data"] = end.is_held ? 1 : 0;
-    if (!std::isnan(end.energy_error)) numbers["energy_error"] = end.energy_error;
-}
-
 namespace {
 
-void add_finished(const StudyInput& input, const RecordFiles& records, std::size_t member, std::size_t place,
-                  FinishedMembers& to, std::vector<std::size_t>& places) {
-    to.records.push_back(records.place(member));
-    to.weights.push_back(input.table.weights[member]);
-    to.columns.push_back(place);
-    if (input.table.is_replicated) to.replicates.push_back(input.table.replicate_of(member));
-    places.push_back(place);
-}
-
-void scale_weights(FinishedMembers& members) {
-    const double sum = std::accumulate(members.weights.begin(), members.weights.end(), 0.0);
-    for (double& weight : members.weights) weight /= sum;
-}
-
-/// All runs with their weights among all.
-OpenRuns open_runs(const StudyInput& input, const RecordFiles& records, const StudyResult& result) {
-    OpenRuns all;
-    for (const MemberResult& one : result.members) {
-        all.runs.records.push_back(records.place(one.member));
-        all.runs.weights.push_back(input.table.weights[one.member]);
-        all.is_open.push_back(one.end.is_open() || !one.failure.empty());
+/// Some of all runs, with weights that add up to 1.
+FinishedMembers chosen(const FinishedMembers& all, const std::vector<std::size_t>& at) {
+    FinishedMembers some;
+    for (const std::size_t place : at) {
+        some.records.push_back(all.records[place]);
+        some.weights.push_back(all.weights[place]);
+        if (!all.replicates.empty()) some.replicates.push_back(all.replicates[place]);
     }
-    scale_weights(all.runs);
-    all.runs.store = std::make_shared<CellStore>(all.runs.records);
-    return all;
+    const double sum = std::accumulate(some.weights.begin(), some.weights.end(), 0.0);
+    for (double& weight : some.weights) weight /= sum;
+    some.store = all.store;
+    some.columns = at;
+    return some;
 }
 
-/// Groups of a design of which every member finished; each gets the next number.
-std::map<std::size_t, std::size_t> whole_groups(const StudyInput& input, const StudyResult& result) {
-    std::map<std::size_t, std::size_t> counts, numbers;
-    for (const std::size_t place : result.finished_at) ++counts[result.members[place].member % input.table.groups];
-    for (const auto& [group, count] : counts)
-        if (count == input.reading.study.group_size()) numbers.emplace(group, numbers.size());
-    return numbers;
-}
-
-void choose_design(const StudyInput& input, const RecordFiles& records, StudyResult& result) {
+/// Takes for sensitivities whole groups of a design alone.
+void choose_design(const StudyInput& input, StudyResult& result) {
     const SampleTable& table = input.table;
-    result.points.nominal = table.nominal;
+    result.design_at = result.finished_at;
     if (table.groups > 0) {
-        const auto groups = whole_groups(input, result);
-        for (const std::size_t place : result.finished_at) {
-            const std::size_t member = result.members[place].member;
-            if (groups.count(member % table.groups) > 0)
-                add_finished(input, records, member, place, result.design, result.design_at);
-        }
-        result.design.store = result.finished.store;
-        result.groups = groups.size();
-    } else {
-        result.design = result.finished;
-        result.design_at = result.finished_at;
+        std::map<std::size_t, std::size_t> counts;
+        for (const std::size_t place : result.finished_at) ++counts[place % table.groups];
+        std::erase_if(counts, [&](const auto& group) { return group.second != input.reading.study.group_size(); });
+        std::erase_if(result.design_at, [&](std::size_t place) { return counts.count(place % table.groups) == 0; });
+        result.groups = counts.size();
     }
-    for (const std::size_t place : result.design_at)
-        result.points.numbers.push_back(table.numbers[result.members[place].member]);
-    for (const std::size_t place : result.design_at)
-        if (!table.places.empty()) result.points.places.push_back(table.places[result.members[place].member]);
+    result.points.nominal = table.nominal;
+    for (const std::size_t place : result.design_at) {
+        result.points.numbers.push_back(table.numbers[place]);
+        if (!table.places.empty()) result.points.places.push_back(table.places[place]);
+    }
     if (table.places.empty()) result.points.places = rank_places(result.points);
     result.points.are_dependent = !input.reading.study.correlate.empty() || are_correlated(result.points);
 }
@@ -179,15 +155,10 @@ bool StudyResult::equal_weights() const {
                        [&](double weight) { return weight == design.weights.front(); });
 }
 
-std::vector<RunOfStudy> StudyResult::runs() const {
-    std::vector<RunOfStudy> all;
-    for (const MemberResult& one : members) all.push_back({one.member, one.end, one.failure});
+std::vector<double> StudyResult::weights() const {
+    std::vector<double> all(members.size());
+    for (std::size_t i = 0; i < finished_at.size(); ++i) all[finished_at[i]] = finished.weights[i];
     return all;
-}
-
-std::size_t StudyResult::failed() const noexcept {
-    return static_cast<std::size_t>(std::count_if(members.begin(), members.end(),
-                                                  [](const MemberResult& member) { return !member.failure.empty(); }));
 }
 
 std::vector<double> StudyResult::figure(std::size_t index) const {
@@ -230,17 +201,24 @@ const std::vector<Figure>& StudyResult::figures() const {
 StudyResult read_study_result(const StudyInput& input, const std::string& folder, std::size_t count) {
     StudyResult result;
     const RecordFiles records(folder);
+    FinishedMembers all;
+    std::vector<std::size_t> everyone;
     for (std::size_t member = 0; member < count; ++member) {
-        MemberRecord record = require_own_record(input, records.place(member), member);
-        result.members.push_back({member, record.failure, std::move(record.end), std::move(record.figures),
-                                  record.engine_seconds, record.particle_steps, record.grid().bounds()});
-        if (result.members.back().failure.empty())
-            add_finished(input, records, member, result.members.size() - 1, result.finished, result.finished_at);
+        const MemberResult& one =
+            result.members.emplace_back(result_of(require_own_record(input, records.place(member), member)));
+        all.records.push_back(records.place(member));
+        all.weights.push_back(input.table.weights[member]);
+        if (input.table.is_replicated) all.replicates.push_back(input.table.replicate_of(member));
+        result.open.is_open.push_back(one.end.is_open() || !one.failure.empty());
+        everyone.push_back(member);
+        if (one.failure.empty()) result.finished_at.push_back(member);
     }
-    scale_weights(result.finished);
-    result.open = open_runs(input, records, result);
-    result.finished.store = result.open.runs.store;
-    choose_design(input, records, result);
+    all.store = std::make_shared<CellStore>(all.records);
+    result.finished = chosen(all, result.finished_at);
+    choose_design(input, result);
+    result.design = chosen(all, result.design_at);
+    all.replicates.clear();  // a bound has no use for them
+    result.open.runs = chosen(all, everyone);
     result.grid = input.base.scene.grid;
     return result;
 }
@@ -297,7 +275,6 @@ std::vector<FigureSensitivity> sensitivities(const StudyInput& input, const Stud
                                        : std::vector<KeySensitivity>(result.points.nominal.size());
         for (std::size_t k = 0; k < one.keys.size(); ++k) {
             KeySensitivity& key = one.keys[k];
-            constexpr double k_none = std::numeric_limits<double>::quiet_NaN();
             if (std::isnan(chaos.q2) || result.points.are_dependent || chaos.q2 < k_least_q2) {
                 key.method = std::isnan(chaos.q2)          ? "not measurable"
                              : result.points.are_dependent ? "refused: keys are correlated"
@@ -308,8 +285,8 @@ std::vector<FigureSensitivity> sensitivities(const StudyInput& input, const Stud
                 key.method = k_not_explained;
                 continue;
             }
-            key.first_order = Interval{chaos.first_order[k], k_none, k_none};
-            key.total = Interval{chaos.total[k], k_none, k_none};
+            key.first_order = chaos.first_order[k];
+            key.total = chaos.total[k];
             key.method = "polynomial chaos";
         }
         all.push_back(std::move(one));

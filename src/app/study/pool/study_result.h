@@ -18,27 +18,6 @@
 
 namespace frana::app::study {
 
-/// A run of a study, as far as it may mislead a reader of the study's maps.
-struct RunOfStudy {
-    std::size_t member = 0;
-    MemberEnd end;
-    std::string failure;  ///< empty: it finished
-    std::string table{};  ///< whose row it is, of a study with several tables of members
-};
-
-/// @param each_counts as Troubles::each_counts
-Troubles troubles_of(const std::vector<RunOfStudy>& runs, bool each_counts);
-
-/// One sentence for each kind of warning that the runs gave: of how many, and that of the run whose figure is the
-/// worst.
-/// @param known warnings of the study itself, which need not be told again
-Warnings kinds_of_warnings(const std::vector<RunOfStudy>& runs, const Warnings& known);
-
-/// The cells of a run in the columns k_end_columns.
-std::vector<std::string> end_values(const MemberEnd& end);
-/// The same values as attributes.
-void add_end(const MemberEnd& end, std::map<std::string, double>& numbers, std::map<std::string, std::string>& texts);
-
 /// A member without its maps.
 struct MemberResult {
     std::size_t member = 0;
@@ -46,10 +25,26 @@ struct MemberResult {
     MemberEnd end;
     std::vector<Figure> figures;
     double engine_seconds = 0;
-    std::int64_t particle_steps = 0;
     Bounds terrain{};  ///< that it ran on
 };
 
+/// Returns that of a record.
+MemberResult result_of(MemberRecord record);
+
+/// @param each_counts as Troubles::each_counts
+Troubles troubles_of(const std::vector<MemberResult>& runs, bool each_counts);
+
+/// One sentence for each kind of warning that the runs gave: of how many, and that of the run whose figure is the
+/// worst.
+/// @param known warnings of the study itself, which need not be told again
+/// @param table that has the members' rows, of a study with several; empty: one
+Warnings kinds_of_warnings(const std::vector<MemberResult>& runs, const Warnings& known, const std::string& table = {});
+
+/// Number of members without a result.
+std::size_t failed_of(const std::vector<MemberResult>& runs);
+
+/// The cells of a run in the columns k_end_columns.
+std::vector<std::string> end_values(const MemberEnd& end);
 /// Sensitivities of one figure, by key.
 struct FigureSensitivity {
     Figure figure;  ///< its texts
@@ -71,10 +66,9 @@ struct StudyResult {
     GridSpec grid;  ///< of all maps
     OpenRuns open;  ///< all runs, in the order of `members`
 
-    /// All members, as far as they may mislead.
-    [[nodiscard]] std::vector<RunOfStudy> runs() const;
-    /// Members without a result.
-    [[nodiscard]] std::size_t failed() const noexcept;
+    [[nodiscard]] std::size_t failed() const { return failed_of(members); }
+    /// Weights of all members: 0 of one that failed.
+    [[nodiscard]] std::vector<double> weights() const;
     /// Whether the members that sensitivities use count alike: only then are there any.
     [[nodiscard]] bool equal_weights() const;
     /// Returns a figure of the finished members, in their order.

@@ -56,49 +56,38 @@ CellWindow window_of(const FinishedMembers& members, const GridSpec& grid) {
     return {top, left, bottom - top, right - left};
 }
 
-/// One event under the posterior.
-struct EventGround {
-    const StudyInput& study;
-    const EventRuns& runs;
-    const EventSpec& event;
-    double threshold;
-    OpenRuns all;  ///< those that the surveys give weight
-    CellWindow window;
-
-    [[nodiscard]] const FinishedMembers& members() const { return all.runs; }
-};
-
-EventGround ground_of(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
-                      std::size_t e) {
-    const StudyInput& study = input.own[e];
-    EventGround ground{study, runs.events[e], input.spec().events[e], observed_threshold(study.base.spec), {}, {}};
-    const RecordFiles records(ground.runs.records);
+/// The runs of an event that the surveys give weight.
+OpenRuns weighted_runs(const EventRuns& event, const CalibrationResult& result) {
+    OpenRuns all;
+    const RecordFiles records(event.records);
     for (std::size_t i = 0; i < result.weights.size(); ++i) {
         if (!(result.weights[i] > 0)) continue;
-        ground.all.runs.records.push_back(records.place(i));
-        ground.all.runs.weights.push_back(result.weights[i]);
-        ground.all.is_open.push_back(ground.runs.members[i].end.is_open());
+        all.runs.records.push_back(records.place(i));
+        all.runs.weights.push_back(result.weights[i]);
+        all.is_open.push_back(event.members[i].end.is_open());
     }
-    ground.window = window_of(ground.members(), study.base.scene.grid);
-    return ground;
+    return all;
 }
 
-MapSource source_of(const EventGround& ground, const CalibrationResult& result, const Troubles& troubles) {
-    const Prepared& base = ground.study.base;
-    const OutputSpec& output = base.spec.output;
+MapSource source_of(const StudyInput& input, std::size_t e, const EventRuns& runs, const CalibrationResult& result,
+                    const CellWindow& window, const Troubles& troubles) {
+    const Prepared& base = input.own[e].base;
+    const double threshold = observed_threshold(base.spec);
     MapSource source;
     source.style = calibration_style(base.spec);
-    source.title = output.title.value_or(ground.event.name);
-    const auto number = [&](double value) { return source.style.words.number(number_text(value, 3)); };
-    source.subtitle = source.style.words("{1} runs weighted by the surveys, effective number {2}",
-                                         {std::to_string(ground.members().size()), number(result.effective)});
-    source.notes = {source.style.words("Deeper than {1} m counts", {number(ground.threshold)})};
+    const Words& words = source.style.words;
+    source.title = base.spec.output.title.value_or(input.spec().events[e].name);
+    const auto number = [&](double value) { return words.number(number_text(value, 3)); };
+    const auto weighted = std::count_if(result.weights.begin(), result.weights.end(), [](double w) { return w > 0; });
+    source.subtitle = words("{1} runs weighted by the surveys, effective number {2}",
+                            {std::to_string(weighted), number(result.effective)});
+    source.notes = {words("Deeper than {1} m counts", {number(threshold)})};
     if (troubles.are_first())
-        source.scenario = headline(troubles).in(source.style.words) + ". " + source.subtitle;
+        source.scenario = headline(troubles).in(words) + ". " + source.subtitle;
     else if (troubles.any())
-        source.notes.push_back(headline(troubles).in(source.style.words));
-    if (troubles.flew > 0) source.notes.push_back(source.style.words(k_high_flights));
-    source.terrain = part_of(base.scene.terrain, ground.window);
+        source.notes.push_back(headline(troubles).in(words));
+    if (troubles.flew > 0) source.notes.push_back(words(k_high_flights));
+    source.terrain = part_of(base.scene.terrain, window);
     const GridSpec& grid = source.terrain.grid;
     source.crs_label = gis::crs_name(grid.crs_wkt);
     source.convergence_deg =
@@ -109,37 +98,30 @@ MapSource source_of(const EventGround& ground, const CalibrationResult& result, 
         source.release.insert(source.release.end(), outline.parts.begin(), outline.parts.end());
     }
     source.scar = surveyed(base).survey.scar;
-    if (const auto best = read_record(RecordFiles(ground.runs.records).place(result.best))) {
-        const Raster depth = best->raster(Quantity::depth, grid);
-        source.marks.push_back({source.style.words("Best run"), gis::polygonise(trace_mask(depth, ground.threshold)),
+    if (const auto best = read_record(RecordFiles(runs.records).place(result.best)))
+        source.marks.push_back({words("Best run"),
+                                gis::polygonise(trace_mask(best->raster(Quantity::depth, grid), threshold)),
                                 k_best_colour, 1.8, true});
-    }
     return source;
 }
 
 }  // namespace
 
-void publish_calibration_maps(const CalibrationInput& input, const CalibrationRuns& runs,
-                              const CalibrationResult& result, const Troubles& troubles,
-                              const ResultDirectory& directory, RunLog& log) {
+void publish_calibration_maps(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
+                              const Troubles& troubles, const ResultDirectory& directory, RunLog& log) {
     for (std::size_t e = 0; e < input.events(); ++e) {
-        const EventGround ground = ground_of(input, runs, result, e);
-        if (ground.window.rows == 0 || ground.window.columns == 0) continue;
-        const Prepared& base = ground.study.base;
-        const std::string name = "posterior_" + ground.event.name;
-        const QuantityMaps maps = quantity_maps(ground.members(), Quantity::depth,
-                                                part_of(base.scene.grid, ground.window), {ground.threshold});
-        std::optional<Raster> upper;
-        if (ground.all.any())
-            upper = std::move(probability_bounds(maps.probability, ground.all, Quantity::depth, {ground.threshold},
-                                                 maps.probability.front().grid)
-                                  .front());
+        const Prepared& base = input.own[e].base;
+        const OpenRuns weighted = weighted_runs(runs.events[e], result);
+        const CellWindow window = window_of(weighted.runs, base.scene.grid);
+        if (window.rows == 0 || window.columns == 0) continue;
+        const std::string name = "posterior_" + input.spec().events[e].name;
         MapWriter(base, directory)
-            .write_probability(name, maps.probability.front(), maps.margin.front(), upper ? &*upper : nullptr);
+            .write_probabilities(weighted.runs, weighted, part_of(base.scene.grid, window),
+                                 {Quantity::depth, {observed_threshold(base.spec)}, {name}});
         if (base.spec.output.maps.front() == "off") continue;
         directory.make_folder("maps");
         is_drawn("maps/" + name, log, [&] {
-            const MapSource source = source_of(ground, result, troubles);
+            const MapSource source = source_of(input, e, runs.events[e], result, window, troubles);
             const MapLayer layer =
                 read_map_layer(directory.path(name + ".tif"), base.spec.output.classes, source.style.words);
             LayerDrawer drawer(source);
@@ -160,12 +142,11 @@ std::string range(double low, double high, const Words& words) {
 }
 
 /// A key's name, with its event if others have it not.
-std::string name_of(const CalibrationSpec& calibration, const KeySample& key, const std::string& name,
-                    const Words& words) {
+std::string name_of(const StudySpec& calibration, const KeySample& key, const std::string& name, const Words& words) {
     return key.event.empty() || calibration.events.size() == 1 ? name : words("{1} of {2}", {name, key.event});
 }
 
-Table keys_table(const CalibrationInput& input, const CalibrationResult& result, const Words& words) {
+Table keys_table(const StudyInput& input, const CalibrationResult& result, const Words& words) {
     const ReportNumbers number(words);
     Table table({words("key"), words("distribution before"), words("best"), words("median"), words("90 % after"),
                  words("width, of that before")});
@@ -197,7 +178,7 @@ std::vector<Cell> scores_row(const std::string& event, const std::string& kind, 
             number(one.effective, 3)};
 }
 
-Table scores_table(const CalibrationInput& input, const CalibrationResult& result, const Words& words) {
+Table scores_table(const StudyInput& input, const CalibrationResult& result, const Words& words) {
     Table table({words("event"), words("values"), words("score of the best"), words("mean"), words("5 to 95 %"),
                  words("effective members")});
     for (std::size_t e = 0; e < input.events(); ++e) {
@@ -209,22 +190,22 @@ Table scores_table(const CalibrationInput& input, const CalibrationResult& resul
     return table;
 }
 
-Table misfits_table(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
+Table misfits_table(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
                     const Words& words) {
     const ReportNumbers number(words);
-    Table table({words("event"), words("measure"), words("weight"), words("misfit of the best"), words("formula")});
+    Table table({words("event"), words("measure"), words("weight"), words("misfit of the best")});
     for (std::size_t e = 0; e < input.events(); ++e) {
         const EventRuns& event = runs.events[e];
         for (std::size_t m = 0; m < event.measures.size(); ++m) {
             const MeasureRow& measure = row_of(event.measures[m].measure);
             table.row({input.spec().events[e].name, measure.name, number(event.measures[m].weight),
-                       number(event.members[result.best].agreement.parts[m], 3), words(measure.formula)});
+                       number(event.agreements[result.best].parts[m], 3)});
         }
     }
     return table;
 }
 
-Table failures_table(const CalibrationInput& input, const CalibrationRuns& runs, const Words& words) {
+Table failures_table(const StudyInput& input, const CalibrationRuns& runs, const Words& words) {
     Table table({words("member"), words("event"), words("reason")});
     for (std::size_t e = 0; e < input.events(); ++e)
         for (std::size_t i = 0; i < runs.size(); ++i)
@@ -233,17 +214,17 @@ Table failures_table(const CalibrationInput& input, const CalibrationRuns& runs,
     return table;
 }
 
-Table facts_table(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
+Table facts_table(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
                   const Words& words) {
     const ReportNumbers number(words);
     std::vector<std::string> cells;
-    for (const EventRuns& event : runs.events) cells.push_back(number(event.cell_size));
+    for (const StudyInput& event : input.own) cells.push_back(number(event.base.scene.grid.cell_size));
     Table table;
     table.row({words("Members"), words("{1}, of which {2} spread over the distributions",
                                        {std::to_string(runs.size()), std::to_string(runs.design)})});
     table.row({words("Effective number"), number(result.effective, 3)});
     table.row({words("Cells [m]"), joined(cells, ", ")});
-    if (const std::size_t failed = runs.failed(); failed > 0)
+    if (const std::size_t failed = failed_of(runs.runs()); failed > 0)
         table.row({words("Failed runs"), std::to_string(failed)}, "warning");
     table.row({words("Last moves of the intervals [%]"),
                number(100 * runs.moves[0], 2) + ", " + number(100 * runs.moves[1], 2)});
@@ -256,8 +237,8 @@ Table facts_table(const CalibrationInput& input, const CalibrationRuns& runs, co
     return table;
 }
 
-Document answer(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
-                const CalibrationFacts& facts, const Words& words) {
+Document answer(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
+                const StudyFacts& facts, const Words& words) {
     Document answer;
     if (facts.troubles.are_first()) answer.add(Paragraph{{}, headline(facts.troubles).in(words), "warning"});
     return answer.heading("answer", words("Values and answer"))
@@ -268,7 +249,7 @@ Document answer(const CalibrationInput& input, const CalibrationRuns& runs, cons
 }
 
 /// What the likelihood of each event rests on.
-Table likelihood_table(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
+Table likelihood_table(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
                        const Words& words) {
     const ReportNumbers number(words);
     Table table({words("event"), words("pieces of information"), "Q2", words("factor of the stated errors"),
@@ -284,7 +265,7 @@ Table likelihood_table(const CalibrationInput& input, const CalibrationRuns& run
     return table;
 }
 
-void add_inputs(const CalibrationInput& input, const Words& words, Document& page) {
+void add_inputs(const StudyInput& input, const Words& words, Document& page) {
     page.heading("inputs", words("Inputs"));
     for (std::size_t e = 0; e < input.events(); ++e) {
         if (input.events() > 1) page.subheading(input.spec().events[e].name);
@@ -292,7 +273,7 @@ void add_inputs(const CalibrationInput& input, const Words& words, Document& pag
     }
 }
 
-std::string calibration_title(const CalibrationInput& input) {
+std::string calibration_title(const StudyInput& input) {
     std::string names;
     for (const EventSpec& event : input.spec().events) names += (names.empty() ? "" : ", ") + event.name;
     return names;
@@ -300,7 +281,7 @@ std::string calibration_title(const CalibrationInput& input) {
 
 /// What the charts of a calibration show.
 struct CalibrationData {
-    const CalibrationInput& input;
+    const StudyInput& input;
     const CalibrationResult& result;
 };
 
@@ -347,8 +328,8 @@ constexpr ChartRow<CalibrationData> k_calibration_charts[] = {
 
 }  // namespace
 
-void draw_calibration_charts(const CalibrationInput& input, const CalibrationResult& result,
-                             const ResultDirectory& directory, RunLog& log) {
+void draw_calibration_charts(const StudyInput& input, const CalibrationResult& result, const ResultDirectory& directory,
+                             RunLog& log) {
     const SceneSpec& scene = input.own.front().base.spec;
     if (scene.output.maps.front() == "off" || !scene.output.charts) return;
     MapSource source;
@@ -359,9 +340,8 @@ void draw_calibration_charts(const CalibrationInput& input, const CalibrationRes
                     scene.output.report, log);
 }
 
-void write_calibration_report(const CalibrationInput& input, const CalibrationRuns& runs,
-                              const CalibrationResult& result, const CalibrationFacts& facts,
-                              const ResultDirectory& directory) {
+void write_calibration_report(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
+                              const StudyFacts& facts, const ResultDirectory& directory) {
     const Words words = words_of(input.own.front().base.spec);
     const std::vector<std::string> maps = pictures_in(directory.path("maps"));
     const std::string& folder = directory.folder();
@@ -374,15 +354,8 @@ void write_calibration_report(const CalibrationInput& input, const CalibrationRu
         .add(likelihood_table(input, runs, result, words))
         .charts(titles_of(k_calibration_charts), folder, words);
     add_inputs(input, words, page);
-    if (!facts.warnings.empty()) page.warnings(facts.warnings, words);
-    if (runs.failed() > 0) page.heading("failures", words("Failed members")).add(failures_table(input, runs, words));
-    write_page(folder,
-               {words("{1}: calibration", {calibration_title(input)}),
-                words("Computed with {1}, study {2}, {3}",
-                      {std::string(k_program) + " " + k_version,
-                       std::filesystem::path(input.spec().study.file).filename().string(), words.date(facts.date)}),
-                words, Opening::answer},
-               page);
+    end_page(input, words("{1}: calibration", {calibration_title(input)}), failures_table(input, runs, words), facts,
+             Opening::answer, std::move(page), folder);
 }
 
 }  // namespace frana::app::study

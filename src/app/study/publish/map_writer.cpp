@@ -22,14 +22,24 @@ gis::BandText MapWriter::upper_text(const std::string& name, const std::string& 
     return {name + "_upper", "upper bound: runs whose full reach is not known could have come", unit, metadata_};
 }
 
-void MapWriter::write_probability(const std::string& name, const Raster& probability, const Raster& margin,
-                                  const Raster* upper) const {
-    gis::BandText text{name + "_margin", "Half of the interval of 95 % of the probability", "-", metadata_};
-    gis::RasterBand band = band_of(name, probability);
-    band.zero_elsewhere = true;
-    std::vector<gis::RasterBand> bands{band, {margin, text, true}};
-    if (upper != nullptr) bands.push_back({*upper, upper_text(name, "-"), true});
-    write(name, bands);
+QuantityMaps MapWriter::write_probabilities(const FinishedMembers& finished, const OpenRuns& all, const GridSpec& grid,
+                                            const MappedEvents& events) const {
+    QuantityMaps maps = quantity_maps(finished, events.quantity, grid, events.thresholds);
+    std::vector<Raster> upper;
+    if (all.any()) upper = probability_bounds(maps.probability, all, events.quantity, events.thresholds, grid);
+    for (std::size_t t = 0; t < events.rasters.size(); ++t) {
+        const std::string& name = events.rasters[t];
+        gis::RasterBand band = band_of(name, maps.probability[t]);
+        band.zero_elsewhere = true;
+        std::vector<gis::RasterBand> bands{
+            band,
+            {maps.margin[t],
+             {name + "_margin", "Half of the interval of 95 % of the probability", "-", metadata_},
+             true}};
+        if (!upper.empty()) bands.push_back({upper[t], upper_text(name, "-"), true});
+        write(name, bands);
+    }
+    return maps;
 }
 
 void MapWriter::write_quantile(const std::string& name, const Raster& quantile,

@@ -8,6 +8,8 @@
 
 #include "app/input/prepare.h"
 #include "app/store/result_directory.h"
+#include "app/study/plan/study_input.h"
+#include "app/study/statistics/study_maps.h"
 #include "core/words/words.h"
 #include "gis/raster/raster_out.h"
 #include "params/keys/scene_spec.h"
@@ -21,9 +23,10 @@ class MapWriter {
     MapWriter(const Prepared& base, const ResultDirectory& directory);
 
     void write(const std::string& name, const Raster& raster) const;
-    /// With its margin as second band; 0, not nodata, where nothing came. The upper bound, if any, is the third.
-    void write_probability(const std::string& name, const Raster& probability, const Raster& margin,
-                           const Raster* upper = nullptr) const;
+    /// Makes the maps of events, and writes their probabilities: with the margin as second band; 0, not nodata, where
+    /// nothing came. Of open runs the upper bound is the third.
+    QuantityMaps write_probabilities(const FinishedMembers& finished, const OpenRuns& all, const GridSpec& grid,
+                                     const MappedEvents& events) const;
 
     /// Itself a lower bound, with the upper one as next band.
     /// @param upper none: the quantile has none

@@ -33,32 +33,33 @@ std::vector<double> scores_at(const std::vector<std::vector<double>>& misfits, s
     return scores;
 }
 
-std::vector<KeySample> key_samples(const CalibrationSpec& calibration, const std::vector<SampleTable>& tables) {
+/// The keys with their values in the members.
+/// @param table_of of an event's members
+template <class TableOf>
+std::vector<KeySample> key_samples(const StudySpec& calibration, const TableOf& table_of) {
     std::vector<KeySample> keys;
-    const auto add = [&](const Variation& one, const std::string& event, std::size_t table, std::size_t column) {
+    const auto add = [&](const Variation& one, const std::string& event, const SampleTable& table, std::size_t column) {
         KeySample& key = keys.emplace_back(KeySample{one.key, event, one.distribution, {}, {}, {}});
-        const SampleTable& values = tables[table];
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            key.places.push_back(values.places[i][column]);
-            key.numbers.push_back(values.numbers[i][column]);
-            key.texts.push_back(values.values[i][column]);
+        for (std::size_t i = 0; i < table.size(); ++i) {
+            key.places.push_back(table.places[i][column]);
+            key.numbers.push_back(table.numbers[i][column]);
+            key.texts.push_back(table.values[i][column]);
         }
     };
-    const std::size_t shared = calibration.study.vary.size();
-    for (std::size_t k = 0; k < shared; ++k) add(calibration.study.vary[k], "", 0, k);
-    for (std::size_t e = 0; e < calibration.events.size(); ++e)
-        for (std::size_t k = 0; k < calibration.events[e].vary.size(); ++k)
-            add(calibration.events[e].vary[k], calibration.events[e].name, e, shared + k);
+    const std::size_t shared = calibration.vary.size();
+    for (std::size_t e = 0; e < calibration.events.size(); ++e) {
+        const SampleTable& table = table_of(e);
+        for (std::size_t k = 0; k < shared && e == 0; ++k) add(calibration.vary[k], "", table, k);
+        const EventSpec& event = calibration.events[e];
+        for (std::size_t k = 0; k < event.vary.size(); ++k) add(event.vary[k], event.name, table, shared + k);
+    }
     return keys;
 }
 
-/// The keys' values in a posterior's sample.
-std::vector<KeySample> key_samples(const CalibrationSpec& calibration, const Places& places) {
-    std::vector<SampleTable> tables;
+/// The same of a posterior's sample.
+std::vector<KeySample> key_samples(const StudyReading& reading, const Places& places) {
     Problems of_values;  // told of the members
-    for (std::size_t e = 0; e < calibration.events.size(); ++e)
-        tables.push_back(members_at(calibration, e, places, of_values));
-    return key_samples(calibration, tables);
+    return key_samples(reading.study, [&](std::size_t e) { return members_at(reading, e, places, of_values); });
 }
 
 /// @param sample as the model draws it without that event, and its posteriors
@@ -93,7 +94,7 @@ Sentence short_number(double value, int digits = 3) {
 }
 
 /// The measures of an event that do not count, because others have a stated error.
-std::vector<std::string> uncounted(const CalibrationInput& input, const CalibrationRuns& runs, std::size_t event) {
+std::vector<std::string> uncounted(const StudyInput& input, const CalibrationRuns& runs, std::size_t event) {
     const ObservedSpec& stated = input.own[event].base.spec.observed;
     std::vector<std::string> names;
     for (const Weight& one : runs.events[event].measures) {
@@ -107,15 +108,8 @@ std::vector<std::string> uncounted(const CalibrationInput& input, const Calibrat
     return names;
 }
 
-/// All runs, each with the table that has its row.
-std::vector<RunOfStudy> runs_of(const CalibrationRuns& runs) {
-    std::vector<RunOfStudy> all = runs.runs();
-    for (RunOfStudy& run : all) run.table = k_posterior_table;
-    return all;
-}
-
 /// Fills in what the likelihood rests on, and what is doubtful.
-void judge(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationModel& model,
+void judge(const StudyInput& input, const CalibrationRuns& runs, const CalibrationModel& model,
            CalibrationResult& result) {
     for (std::size_t e = 0; e < input.events(); ++e) {
         const std::string& name = input.spec().events[e].name;
@@ -141,11 +135,11 @@ void judge(const CalibrationInput& input, const CalibrationRuns& runs, const Cal
 
 }  // namespace
 
-std::string column_of(const CalibrationSpec& calibration, const KeySample& key) {
+std::string column_of(const StudySpec& calibration, const KeySample& key) {
     return key.event.empty() || calibration.events.size() == 1 ? key.key : key.key + " of " + key.event;
 }
 
-CalibrationResult calibration_result(const CalibrationInput& input, const CalibrationRuns& runs) {
+CalibrationResult calibration_result(const StudyInput& input, const CalibrationRuns& runs) {
     const CalibrationModel model = model_of(input.spec(), runs);
     const PosteriorSample sample = model.sample();
     CalibrationResult result;
@@ -153,13 +147,13 @@ CalibrationResult calibration_result(const CalibrationInput& input, const Calibr
     result.q2 = model.q2();
     result.weights = model.member_weights(sample);
     result.effective = effective_count(result.weights);
-    result.keys = key_samples(input.spec(), runs.tables);
-    result.after = key_samples(input.spec(), sample.places);
+    result.keys = key_samples(input.spec(), [&](std::size_t e) -> const SampleTable& { return input.own[e].table; });
+    result.after = key_samples(input.reading, sample.places);
     result.weights_after = sample.weights;
     result.posteriors = key_posteriors(result.after, sample.weights);
     result.indistinct = indistinct_pairs(result.after, sample.weights);
     result.sentences = sentences(result.posteriors, result.indistinct);
-    if (troubles_of(runs_of(runs), false).open > 0)
+    if (troubles_of(runs.runs(), false).open > 0)
         result.doubts.push_back(
             worded("The scores of runs that were cut, held or left the ground are those of unfinished flows, and so "
                    "is the posterior: raise time.end, or use a larger DTM"));
@@ -168,12 +162,12 @@ CalibrationResult calibration_result(const CalibrationInput& input, const Calibr
     if (const auto few = few_members(result.effective)) result.doubts.push_back(*few);
     for (std::size_t e = 0; e < input.events(); ++e) {
         EventResult& event = result.events.emplace_back();
-        event.fitted = explained(runs, model, sample, result.posteriors, e, std::nullopt);
+        event.fitted = explained(runs, model, sample, {}, e, std::nullopt);
         if (input.events() == 1) continue;
         const PosteriorSample of_others = model.sample(e);
         event.predicted =
             explained(runs, model, of_others,
-                      key_posteriors(key_samples(input.spec(), of_others.places), of_others.weights), e, e);
+                      key_posteriors(key_samples(input.reading, of_others.places), of_others.weights), e, e);
     }
     return result;
 }
@@ -187,81 +181,22 @@ double score_of(const std::vector<double>& misfits) {
     return sum / static_cast<double>(misfits.size());
 }
 
-/// The members as a table.
-struct Columns {
-    std::vector<std::string> names;
-    std::vector<std::vector<std::string>> rows;  ///< by member
-};
-
 std::string cell(double value) {
     return std::isnan(value) ? "" : shortest_text(value);
 }
 
-void add_keys(const CalibrationSpec& calibration, const CalibrationRuns& runs, Columns& to) {
-    const std::size_t shared = calibration.study.vary.size();
-    for (std::size_t k = 0; k < shared; ++k) to.names.push_back(calibration.study.vary[k].key);
-    for (const EventSpec& event : calibration.events)
-        for (const Variation& one : event.vary)
-            to.names.push_back(column_of(calibration, {one.key, event.name, one.distribution, {}, {}, {}}));
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        for (std::size_t k = 0; k < shared; ++k) to.rows[i].push_back(runs.tables.front().values[i][k]);
-        for (const SampleTable& table : runs.tables)
-            for (std::size_t k = shared; k < table.keys.size(); ++k) to.rows[i].push_back(table.values[i][k]);
+/// How a member's runs ended: the worst of the events.
+MemberEnd end_of(const CalibrationRuns& runs, std::size_t member) {
+    MemberEnd worst;
+    for (const EventRuns& event : runs.events) {
+        const MemberEnd& end = event.members[member].end;
+        worst.stop_reason += (&event == &runs.events.front() ? "" : "; ") + end.stop_reason;
+        worst.moving_fraction = std::max(worst.moving_fraction, end.moving_fraction);
+        worst.left_fraction = std::max(worst.left_fraction, end.left_fraction);
+        worst.energy_error = std::fmax(worst.energy_error, end.energy_error);
+        worst.warnings.insert(worst.warnings.end(), end.warnings.begin(), end.warnings.end());
     }
-}
-
-void add_misfits(const CalibrationSpec& calibration, const CalibrationRuns& runs, Columns& to) {
-    for (std::size_t e = 0; e < runs.events.size(); ++e) {
-        const std::string& event = calibration.events[e].name;
-        to.names.push_back("score " + event);
-        for (const Weight& one : runs.events[e].measures)
-            to.names.push_back(std::string("misfit ") + row_of(one.measure).name + " " + event);
-    }
-    to.names.emplace_back("engine_seconds");
-    to.names.insert(to.names.end(), std::begin(k_end_columns), std::end(k_end_columns));
-    to.names.emplace_back("reason");
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        std::string reason;
-        double seconds = 0;
-        MemberEnd worst;  // of the events
-        for (std::size_t e = 0; e < runs.events.size(); ++e) {
-            const MemberOutcome& one = runs.events[e].members[i];
-            const bool finished = one.failure.empty();
-            to.rows[i].push_back(finished ? shortest_text(1 - one.agreement.misfit) : "");
-            for (std::size_t m = 0; m < runs.events[e].measures.size(); ++m)
-                to.rows[i].push_back(finished ? shortest_text(one.agreement.parts[m]) : "");
-            if (!finished) reason += (reason.empty() ? "" : "; ") + calibration.events[e].name + ": " + one.failure;
-            seconds += one.engine_seconds;
-            worst.stop_reason += (e == 0 ? "" : "; ") + one.end.stop_reason;
-            worst.moving_fraction = std::max(worst.moving_fraction, one.end.moving_fraction);
-            worst.left_fraction = std::max(worst.left_fraction, one.end.left_fraction);
-            worst.energy_error = std::fmax(worst.energy_error, one.end.energy_error);
-            worst.warnings.insert(worst.warnings.end(), one.end.warnings.begin(), one.end.warnings.end());
-        }
-        to.rows[i].push_back(shortest_text(seconds));
-        for (std::string& cell : end_values(worst)) to.rows[i].push_back(std::move(cell));
-        to.rows[i].push_back(reason);
-    }
-}
-
-Columns columns_of(const CalibrationInput& input, const CalibrationRuns& runs, const std::vector<double>& weights) {
-    Columns columns;
-    columns.names = {"member", "status", "weight", "score"};
-    const auto misfits = runs.misfits();
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        const double score = score_of(misfits[i]);
-        columns.rows.push_back(
-            {std::to_string(i), std::isnan(score) ? "failed" : "finished", shortest_text(weights[i]), cell(score)});
-    }
-    add_keys(input.spec(), runs, columns);
-    add_misfits(input.spec(), runs, columns);
-    return columns;
-}
-
-std::string csv_of(const Columns& columns) {
-    std::string text = csv_line(columns.names);
-    for (const auto& row : columns.rows) text += csv_line(row);
-    return text;
+    return worst;
 }
 
 Json json_of(const KeyPosterior& key, const std::string& best) {
@@ -293,7 +228,7 @@ Json json_of(const CalibrationResult& result, const Explained& one) {
 
 /// Lines before the header: who reads the table reads its doubts, and `frana ensemble` repeats them.
 std::string doubt_lines(const CalibrationRuns& runs, const CalibrationResult& result) {
-    const Troubles troubles = troubles_of(runs_of(runs), false);
+    const Troubles troubles = troubles_of(runs.runs(), false);
     std::string text = troubles.any() ? "# " + one_line(headline(troubles).text()) + "\n" : "";
     for (const Sentence& doubt : result.doubts) text += "# " + one_line(doubt.text()) + "\n";
     return text;
@@ -301,29 +236,63 @@ std::string doubt_lines(const CalibrationRuns& runs, const CalibrationResult& re
 
 /// Returns posterior.csv: a row for each member with its weight, score, values and misfits. A column
 /// of a shared key has the key's name, so that `frana ensemble` takes the file with sampling = table:FILE.
-std::string posterior_csv(const CalibrationInput& input, const CalibrationRuns& runs, const CalibrationResult& result) {
-    return doubt_lines(runs, result) + csv_of(columns_of(input, runs, result.weights));
+std::string posterior_csv(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result) {
+    const StudySpec& calibration = input.spec();
+    std::vector<std::string> heads{"member", "status", "weight", "score"};
+    for (const KeySample& key : result.keys) heads.push_back(column_of(calibration, key));
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        heads.push_back("score " + calibration.events[e].name);
+        for (const Weight& one : runs.events[e].measures)
+            heads.push_back(std::string("misfit ") + row_of(one.measure).name + " " + calibration.events[e].name);
+    }
+    heads.emplace_back("engine_seconds");
+    heads.insert(heads.end(), std::begin(k_end_columns), std::end(k_end_columns));
+    heads.emplace_back("reason");
+    std::string text = doubt_lines(runs, result) + csv_line(heads);
+    const auto misfits = runs.misfits();
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const double score = score_of(misfits[i]);
+        std::vector<std::string> row{std::to_string(i), std::isnan(score) ? "failed" : "finished",
+                                     shortest_text(result.weights[i]), cell(score)};
+        for (const KeySample& key : result.keys) row.push_back(key.texts[i]);
+        std::string reason;
+        double seconds = 0;
+        for (std::size_t e = 0; e < input.events(); ++e) {
+            const MemberResult& one = runs.events[e].members[i];
+            row.push_back(cell(1 - misfits[i][e]));
+            for (std::size_t m = 0; m < runs.events[e].measures.size(); ++m)
+                row.push_back(one.failure.empty() ? shortest_text(runs.events[e].agreements[i].parts[m]) : "");
+            if (!one.failure.empty())
+                reason += (reason.empty() ? "" : "; ") + calibration.events[e].name + ": " + one.failure;
+            seconds += one.engine_seconds;
+        }
+        row.push_back(shortest_text(seconds));
+        for (std::string& one : end_values(end_of(runs, i))) row.push_back(std::move(one));
+        row.push_back(reason);
+        text += csv_line(row);
+    }
+    return text;
 }
 
 /// The same for one event that has keys of its own: all its keys by their names.
-std::string event_posterior_csv(const CalibrationRuns& runs, const CalibrationResult& result, std::size_t event) {
-    const SampleTable& table = runs.tables[event];
-    Columns columns{{"member", "weight", "score"}, {}};
-    columns.names.insert(columns.names.end(), table.keys.begin(), table.keys.end());
-    const auto misfits = runs.misfits();
+std::string event_posterior_csv(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
+                                std::size_t event) {
+    const SampleTable& table = input.own[event].table;
+    std::vector<std::string> heads{"member", "weight", "score"};
+    heads.insert(heads.end(), table.keys.begin(), table.keys.end());
+    std::string text = doubt_lines(runs, result) + csv_line(heads);
     for (std::size_t i = 0; i < table.size(); ++i) {
-        auto& row = columns.rows.emplace_back();
-        row = {std::to_string(i), shortest_text(result.weights[i]),
-               std::isnan(misfits[i][event]) ? "" : shortest_text(1 - misfits[i][event])};
+        std::vector<std::string> row{std::to_string(i), shortest_text(result.weights[i]),
+                                     cell(1 - runs.events[event].agreements[i].misfit)};
         row.insert(row.end(), table.values[i].begin(), table.values[i].end());
+        text += csv_line(row);
     }
-    return doubt_lines(runs, result) + csv_of(columns);
+    return text;
 }
 
 /// Returns calibration.json: best values, intervals, scores by event, fitted and predicted. No wall time is in it.
-std::string calibration_json(const CalibrationInput& input, const CalibrationRuns& runs,
-                             const CalibrationResult& result) {
-    const CalibrationSpec& calibration = input.spec();
+std::string calibration_json(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result) {
+    const StudySpec& calibration = input.spec();
     const auto misfits = runs.misfits();
     Json json{{"format", k_result_format},
               {"members", runs.size()},
@@ -345,8 +314,8 @@ std::string calibration_json(const CalibrationInput& input, const CalibrationRun
     for (std::size_t e = 0; e < input.events(); ++e) {
         const EventRuns& runs_of_event = runs.events[e];
         Json event{{"name", calibration.events[e].name},
-                   {"scene", calibration.events[e].members.study.scene},
-                   {"cell_size", runs_of_event.cell_size},
+                   {"scene", calibration.events[e].scene},
+                   {"cell_size", input.own[e].base.scene.grid.cell_size},
                    {"stated_errors", runs_of_event.pieces > 0},
                    {"pieces", runs_of_event.pieces > 0 ? runs_of_event.pieces : calibration.exponent},
                    {"q2", result.q2[e]},
@@ -354,7 +323,7 @@ std::string calibration_json(const CalibrationInput& input, const CalibrationRun
                    {"uncounted", result.uncounted[e]},
                    {"fitted", json_of(result, result.events[e].fitted)}};
         if (runs_of_event.observed_runout > 0) event["observed_runout_m"] = runs_of_event.observed_runout;
-        const MemberAgreement& best = runs_of_event.members[result.best].agreement;
+        const MemberAgreement& best = runs_of_event.agreements[result.best];
         for (std::size_t m = 0; m < runs_of_event.measures.size(); ++m)
             event["best_misfits"][row_of(runs_of_event.measures[m].measure).name] = best.parts[m];
         event["scheme"] = scheme_json(input.own[e]);
@@ -363,66 +332,30 @@ std::string calibration_json(const CalibrationInput& input, const CalibrationRun
         events.push_back(std::move(event));
     }
     for (const double move : runs.moves) json["moves"].push_back(move);
-    json["says"] = texts_of(result.sentences);
     json["doubts"] = texts_of(result.doubts);
     return json_text(json);
 }
 
-/// Returns summary.json.
-std::string calibration_summary_json(const CalibrationInput& input, const CalibrationRuns& runs,
-                                     const CalibrationFacts& facts) {
-    const StudySpec& study = input.spec().study;
-    Json json{
-        {"program", k_program},
-        {"version", k_version},
-        {"format", k_result_format},
-        {"date", facts.date},
-        {"kind", "calibration"},
-        {"study", study.file},
-        {"sampling", name_of(study.sampling)},
-        {"seed", study.seed},
-        {"samples", study.samples},
-        {"members", runs.size()},
-        {"runs", runs.size() * input.events()},
-        {"failed_runs", runs.failed()},
-        {"run_troubles", json_of(facts.troubles)},
-        {"wall_seconds", facts.wall_seconds},
-        {"threads", facts.threads},
-        {"runs_per_hour", facts.wall_seconds > 0 ? 3600 * static_cast<double>(runs.computed) / facts.wall_seconds : 0},
-        {"warnings", texts_of(facts.warnings)}};
+std::string calibration_summary_json(const StudyInput& input, const CalibrationRuns& runs, const StudyFacts& facts) {
+    Json json = summary_head(input, facts);
+    json["samples"] = input.spec().samples;
+    json["members"] = runs.size();
+    json["runs"] = runs.size() * input.events();
+    json["failed_runs"] = failed_of(runs.runs());
     return json_text(json);
 }
 
-/// The files that the study and the scenes of its events name.
-std::vector<NamedFile> inputs_of(const CalibrationInput& input) {
-    std::vector<NamedFile> files;
-    static_cast<void>(with_files(input.spec(), [&](const std::string& key, const std::string& path) {
-        files.push_back({key, path});
-        return path;
-    }));
-    for (const StudyInput& event : input.own)
-        for (NamedFile& file : named_files(event.base.spec)) files.push_back(std::move(file));
-    return files;
-}
-
 /// Computes members that the surveys give weight by the other scheme, for each event.
-void check_schemes(const CalibrationInput& input, const CalibrationRuns& runs, int threads, CalibrationResult& result) {
+void check_schemes(const StudyInput& input, const CalibrationRuns& runs, int threads, CalibrationResult& result) {
     for (std::size_t e = 0; e < input.events(); ++e) {
-        std::vector<CheckCandidate> candidates;
-        const RecordFiles records(runs.events[e].records);
-        for (std::size_t i = 0; i < runs.size(); ++i)
-            if (result.weights[i] > 0)
-                candidates.push_back(
-                    {i, result.weights[i], require_own_record(input.own[e], records.place(i), i).figures});
-        const auto& check = result.scheme_checks.emplace_back(check_scheme(input.own[e], candidates, threads));
-        if (!check) continue;
-        if (const auto doubt = warning_of(*check))
+        const auto& check = result.scheme_checks.emplace_back(
+            check_scheme(input.own[e], runs.events[e].members, result.weights, threads));
+        if (const auto doubt = check ? warning_of(*check) : std::nullopt)
             result.doubts.push_back(worded("{1}: {2}", {input.spec().events[e].name, *doubt}));
     }
 }
 
-void write_best_scenes(const CalibrationInput& input, const CalibrationResult& result,
-                       const ResultDirectory& directory) {
+void write_best_scenes(const StudyInput& input, const CalibrationResult& result, const ResultDirectory& directory) {
     for (std::size_t e = 0; e < input.events(); ++e) {
         const StudyInput& study = input.own[e];
         const std::string name = input.events() == 1 ? k_best_scene : best_scene_of(input.spec().events[e].name);
@@ -430,55 +363,35 @@ void write_best_scenes(const CalibrationInput& input, const CalibrationResult& r
     }
 }
 
-void tell(const CalibrationInput& input, const CalibrationResult& result, RunLog& log) {
+void tell(const StudyInput& input, const CalibrationResult& result, RunLog& log) {
     for (std::size_t e = 0; e < input.events(); ++e)
         log.info(input.spec().events[e].name + ": score " + number_text(result.events[e].fitted.best_score, 3) +
                  ", Q2 " + number_text(result.q2[e], 3));
 }
 
-bool warn_of_failures(const CalibrationRuns& runs, std::size_t events, RunLog& log) {
-    const std::size_t failed = runs.failed(), all = runs.size() * events;
-    if (failed == 0) return false;
-    log.warn(worded("{1} of {2} runs failed: their members have no weight. posterior.csv has the reason of each",
-                    {std::to_string(failed), std::to_string(all)}));
-    return static_cast<double>(failed) > k_most_failed * static_cast<double>(all);
-}
-
 }  // namespace
 
-void load_calibration_drawing(const CalibrationInput& input, Loading loading) {
-    for (const StudyInput& event : input.own)
-        load_drawing(event.base.spec.output.maps.front() != "off", false, loading);
-}
-
-StudyOutcome publish_calibration(const CalibrationInput& input, const CalibrationRuns& runs, int threads,
+StudyOutcome publish_calibration(const StudyInput& input, const CalibrationRuns& runs, int threads,
                                  const Stopwatch& since_start, const ResultDirectory& directory, RunLog& log) {
     CalibrationResult result = calibration_result(input, runs);
     check_schemes(input, runs, threads, result);
-    StudyOutcome outcome;
-    const std::vector<RunOfStudy> all = runs_of(runs);
-    const Troubles troubles = troubles_of(all, false);
-    outcome.has_troubles = troubles.any();
-    Warnings warnings;
-    if (troubles.any()) warnings += Warnings{headline(troubles)};
-    log.tell(warnings);
-    for (const StudyInput& event : input.own) warnings += event.base.scene.warnings;
     for (const Sentence& doubt : result.doubts) log.warn(doubt);
-    outcome.too_many_failed = warn_of_failures(runs, input.events(), log);
-    log.warn_all(kinds_of_warnings(all, warnings));
-    write_text_file(directory.path(k_study_file), calibration_text(seen_from(input.spec(), directory.target())));
-    write_text_file(directory.path(k_inputs_file), recorded_inputs(inputs_of(input), directory.target()));
+    StudyFacts facts;
+    const StudyOutcome outcome = tell_of_runs(input, runs.runs(), k_posterior_table, facts, log);
+    facts.threads = threads;
+    facts.computed = runs.computed;
+    write_study_file(input, directory);
     write_text_file(directory.path(k_posterior_table), posterior_csv(input, runs, result));
     for (std::size_t e = 0; input.events() > 1 && e < input.events(); ++e)
         if (const EventSpec& event = input.spec().events[e]; !event.vary.empty())
-            write_text_file(directory.path(posterior_of(event.name)), event_posterior_csv(runs, result, e));
+            write_text_file(directory.path(posterior_of(event.name)), event_posterior_csv(input, runs, result, e));
     write_text_file(directory.path(k_calibration_file), calibration_json(input, runs, result));
     write_best_scenes(input, result, directory);
-    publish_calibration_maps(input, runs, result, troubles, directory, log);
+    publish_calibration_maps(input, runs, result, facts.troubles, directory, log);
     draw_calibration_charts(input, result, directory, log);
     tell(input, result, log);
-    warnings += log.take_warnings();
-    const CalibrationFacts facts{troubles, since_start.seconds(), threads, std::move(warnings), today()};
+    facts.warnings += log.take_warnings();
+    facts.wall_seconds = since_start.seconds();
     if (input.own.front().base.spec.output.report) write_calibration_report(input, runs, result, facts, directory);
     write_text_file(directory.path(k_summary_file), calibration_summary_json(input, runs, facts));
     write_text_file(directory.path(k_log_file), log.text());

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "app/process/terminal.h"
-#include "app/publish/publish_pictures.h"
 #include "app/store/result_directory.h"
 #include "app/study/pool/calibration_runs.h"
 #include "app/study/publish/publish_study.h"
@@ -49,43 +48,29 @@ struct CalibrationResult {
 };
 
 /// Throws Error(numerical) if no member finished for all events.
-CalibrationResult calibration_result(const CalibrationInput& input, const CalibrationRuns& runs);
+CalibrationResult calibration_result(const StudyInput& input, const CalibrationRuns& runs);
 
 /// Returns the name of a key in tables: with its event if others have it not.
-std::string column_of(const CalibrationSpec& calibration, const KeySample& key);
-
-/// What a calibration cost.
-struct CalibrationFacts {
-    Troubles troubles;
-    double wall_seconds = 0;
-    int threads = 1;
-    Warnings warnings;
-    std::string date;  ///< the day it was written, "2026-11-24"
-};
-
-/// Loads what the maps and charts are drawn with, before anything runs. Throws Error(environment) if it is missing.
-void load_calibration_drawing(const CalibrationInput& input, Loading loading);
+std::string column_of(const StudySpec& calibration, const KeySample& key);
 
 /// Writes everything that follows from the runs: tables, the best scenes, charts, report.html, summary.json. Throws
 /// Error(environment), and Error(numerical) if no member finished for all events.
-StudyOutcome publish_calibration(const CalibrationInput& input, const CalibrationRuns& runs, int threads,
+StudyOutcome publish_calibration(const StudyInput& input, const CalibrationRuns& runs, int threads,
                                  const Stopwatch& since_start, const ResultDirectory& directory, RunLog& log);
 
 /// Writes posterior_EVENT.tif for each event: the probability under the posterior that the maximum depth exceeds the
 /// threshold of the survey, with its margin as second band. The map of it shows the surveyed outline and the
 /// trace of the best member. A map that could not be drawn is a warning. Throws Error(environment).
-void publish_calibration_maps(const CalibrationInput& input, const CalibrationRuns& runs,
-                              const CalibrationResult& result, const Troubles& troubles,
-                              const ResultDirectory& directory, RunLog& log);
+void publish_calibration_maps(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
+                              const Troubles& troubles, const ResultDirectory& directory, RunLog& log);
 
 /// Writes report.html from the tables and the charts already in the directory. Throws Error(environment).
-void write_calibration_report(const CalibrationInput& input, const CalibrationRuns& runs,
-                              const CalibrationResult& result, const CalibrationFacts& facts,
-                              const ResultDirectory& directory);
+void write_calibration_report(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
+                              const StudyFacts& facts, const ResultDirectory& directory);
 
 /// Draws the chart of a calibration, if the scene asks for any: the distribution of each key before and after. One that
 /// could not be drawn is a warning.
-void draw_calibration_charts(const CalibrationInput& input, const CalibrationResult& result,
-                             const ResultDirectory& directory, RunLog& log);
+void draw_calibration_charts(const StudyInput& input, const CalibrationResult& result, const ResultDirectory& directory,
+                             RunLog& log);
 
 }  // namespace frana::app::study

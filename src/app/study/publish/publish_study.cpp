@@ -30,6 +30,7 @@
 #include "core/text.h"
 #include "gis/raster/footprint.h"
 #include "gis/vector/vector_out.h"
+#include "params/grammar/value_text.h"
 #include "params/keys/output_parameters.h"
 #include "params/keys/result_rasters.h"
 
@@ -177,18 +178,17 @@ void choose_grid(StudyInput& input, StudyResult& result, RunLog& log) {
              extent_text(result.grid.bounds()));
 }
 
-/// A member with its values and figures as attributes.
-PolygonFeature member_feature(const StudyInput& input, const MemberResult& member) {
+/// A member with its row of the table as attributes.
+PolygonFeature member_feature(const StudyInput& input, const StudyResult& result, const MemberResult& member,
+                              MultiPolygon parts) {
     PolygonFeature feature;
-    feature.numbers["member"] = static_cast<double>(member.member);
-    feature.numbers["weight"] = input.table.weights[member.member];
-    add_end(member.end, feature.numbers, feature.texts);
-    for (const Figure& figure : member.figures) feature.numbers[figure.key] = figure.value;
-    for (std::size_t k = 0; k < input.table.keys.size(); ++k)
-        feature.texts[input.table.keys[k]] = input.table.values[member.member][k];
-    if (input.slopes.empty()) return feature;
-    const Slope& slope = input.slopes[member.member];
-    feature.texts.insert({{"name", slope.name}, {"group", slope.group}, {"scenario", slope.scenario}});
+    feature.parts = std::move(parts);
+    for (const MemberCell& one : member_row(input, result, member)) {
+        if (!one.is_number)
+            feature.texts[one.name] = one.text;
+        else if (const auto number = number_from_text(one.text))
+            feature.numbers[one.name] = *number;
+    }
     return feature;
 }
 
@@ -201,20 +201,14 @@ void write_member_outlines(const StudyInput& input, const StudyResult& result, c
         const CellWindow window = record.reached(result.grid);
         if (window.rows == 0) continue;
         const Raster depth = record.raster(Quantity::depth, part_of(result.grid, window));
-        PolygonFeature feature = member_feature(input, result.members[result.finished_at[i]]);
-        feature.parts = gis::polygonise(trace_mask(depth, input.base.spec.output.trace_threshold));
-        if (!feature.parts.empty()) traces.features.push_back(std::move(feature));
+        MultiPolygon trace = gis::polygonise(trace_mask(depth, input.base.spec.output.trace_threshold));
+        if (trace.empty()) continue;
+        traces.features.push_back(
+            member_feature(input, result, result.members[result.finished_at[i]], std::move(trace)));
     }
-    for (std::size_t i = 0; i < result.members.size() && !input.slopes.empty(); ++i) {
-        const MemberResult& member = result.members[i];
-        const Slope& slope = input.slopes[member.member];
-        PolygonFeature feature = member_feature(input, member);
-        feature.parts = slope.outline;
-        if (slope.return_period) feature.numbers["return_period"] = *slope.return_period;
-        feature.texts["status"] = member.failure.empty() ? "finished" : "failed";
-        feature.texts["reason"] = member.failure;
-        slopes.features.push_back(std::move(feature));
-    }
+    for (const MemberResult& member : result.members)
+        if (!input.slopes.empty())
+            slopes.features.push_back(member_feature(input, result, member, input.slopes[member.member].outline));
     std::vector<gis::OutlineLayer> layers;
     if (!input.slopes.empty()) layers.push_back(std::move(slopes));
     layers.push_back(std::move(traces));
@@ -236,37 +230,19 @@ void write_kept_members(const StudyInput& input, const StudyResult& result, cons
     }
 }
 
-std::string percent(double fraction) {
-    return number_text(100 * fraction, 2) + " %";
-}
-
-bool warn_of_failures(const StudyInput& input, const StudyResult& result, RunLog& log) {
-    if (result.failed() == 0) return false;
-    for (const MemberResult& member : result.members)
-        if (!member.failure.empty() && !input.slopes.empty())
-            log.note("slope " + std::to_string(member.member) +
-                     (input.slopes[member.member].name.empty() ? "" : " " + input.slopes[member.member].name) +
-                     " failed: " + member.failure);
-    const double fraction = static_cast<double>(result.failed()) / static_cast<double>(result.members.size());
-    const auto first = std::find_if(result.members.begin(), result.members.end(),
-                                    [](const MemberResult& member) { return !member.failure.empty(); });
-    log.warn(worded(
-        "{1} of {2} members failed and are in no map; the first, member {3}: {4}. members.csv has the reason of each",
-        {std::to_string(result.failed()), std::to_string(result.members.size()), std::to_string(first->member),
-         first->failure.c_str()}));
-    return fraction > k_most_failed;
+bool warn_of_failures(const std::vector<MemberResult>& runs, const std::string& table, RunLog& log) {
+    const std::size_t failed = failed_of(runs);
+    if (failed == 0) return false;
+    const auto first =
+        std::find_if(runs.begin(), runs.end(), [](const MemberResult& member) { return !member.failure.empty(); });
+    log.warn(worded("{1} of {2} runs failed, first member {3}: {4}. See {5}",
+                    {std::to_string(failed), std::to_string(runs.size()), std::to_string(first->member),
+                     first->failure.c_str(), table}));
+    return static_cast<double>(failed) > k_most_failed * static_cast<double>(runs.size());
 }
 
 void warn_of_error(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, RunLog& log) {
-    log.info(std::to_string(result.finished_at.size()) + " members; standard error of the probabilities " +
-             percent(facts.error.largest()) + " at most, " + percent(facts.error.mean()) +
-             " on average where it is not 0; a probability of 0 may be up to " + percent(facts.least_margin) +
-             ", one of 1 as much less (95 %)");
     if (const auto& rare = facts.rare_place) {
-        log.info(rare->event.gauge + " is deeper than " + shortest_text(rare->event.threshold) +
-                 " m with a probability of " + number_text(rare->probability.value, 3) +
-                 " (95 %: " + number_text(rare->probability.low(), 2) + " to " + number_text(rare->high, 2) + "); " +
-                 std::to_string(rare->hits) + " members came there");
         if (rare->hits < k_least_hits)
             log.warn(
                 worded("Only {1} of {2} members came to {3}: its probability and the interval may be far too low. "
@@ -300,64 +276,65 @@ std::optional<StudyComparison> compare_study(const StudyInput& input, const Resu
     });
 }
 
-std::vector<CheckCandidate> candidates_of(const StudyResult& result) {
-    std::vector<CheckCandidate> candidates;
-    for (std::size_t i = 0; i < result.finished.size(); ++i)
-        if (const MemberResult& one = result.members[result.finished_at[i]]; result.finished.weights[i] > 0)
-            candidates.push_back({one.member, result.finished.weights[i], one.figures});
-    return candidates;
+}  // namespace
+
+StudyOutcome tell_of_runs(const StudyInput& input, const std::vector<MemberResult>& runs, const std::string& table,
+                          StudyFacts& facts, RunLog& log) {
+    StudyOutcome outcome;
+    facts.troubles = troubles_of(runs, input.spec().region.has_value());
+    outcome.has_troubles = facts.troubles.any();
+    for (const StudyInput* one : input.studies()) facts.warnings += one->base.scene.warnings;
+    facts.warnings += log.take_warnings();
+    if (facts.troubles.any()) {
+        log.tell({headline(facts.troubles)});
+        facts.warnings.insert(facts.warnings.begin(), headline(facts.troubles));
+    }
+    outcome.too_many_failed = warn_of_failures(runs, table, log);
+    log.warn_all(kinds_of_warnings(runs, facts.warnings, input.spec().is_calibration() ? table : ""));
+    return outcome;
 }
 
-/// The files that the central scene and the study name.
-std::vector<NamedFile> inputs_of(const StudyInput& input) {
-    std::vector<NamedFile> files = named_files(input.base.spec);
-    static_cast<void>(with_files(input.reading.study, [&](const std::string& key, const std::string& path) {
+void write_study_file(const StudyInput& input, const ResultDirectory& directory) {
+    const StudySpec& study = input.spec();
+    std::vector<NamedFile> files;
+    for (const StudyInput* one : input.studies())
+        for (NamedFile& file : named_files(one->base.spec)) files.push_back(std::move(file));
+    static_cast<void>(with_files(study, [&](const std::string& key, const std::string& path) {
         files.push_back({key, path});
         return path;
     }));
-    return files;
+    write_text_file(directory.path(study.region ? k_region_file : k_study_file),
+                    study_text(seen_from(study, directory.target())));
+    write_text_file(directory.path(k_inputs_file), recorded_inputs(files, directory.target()));
 }
 
-}  // namespace
-
-StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& directory, RunLog& log) {
-    StudyInput& input = study.input;
-    StudyResult result = read_study_result(input, directory.folder(), study.members);
-    StudyOutcome outcome;
+StudyOutcome publish_study(StudyInput& input, std::size_t members, std::size_t computed, int threads,
+                           const Stopwatch& since_start, const ResultDirectory& directory, RunLog& log) {
+    StudyResult result = read_study_result(input, directory.folder(), members);
     StudyFacts facts;
     const bool is_region = input.reading.study.region.has_value();
-    const std::vector<RunOfStudy> runs = result.runs();
-    facts.troubles = troubles_of(runs, is_region);
-    input.base.tags = {{"VARIED", joined(input.table.keys, ", ")},
-                       {"RUNS", std::to_string(result.finished_at.size()) + " of " + std::to_string(runs.size())}};
+    const StudyOutcome outcome = tell_of_runs(input, result.members, k_member_table, facts, log);
+    input.base.tags = {
+        {"VARIED", joined(input.table.keys, ", ")},
+        {"RUNS", std::to_string(result.finished_at.size()) + " of " + std::to_string(result.members.size())}};
     if (facts.troubles.any()) input.base.tags[k_lower_bound_item] = headline(facts.troubles).text();
-    outcome.has_troubles = facts.troubles.any();
-    (facts.warnings = input.base.scene.warnings) += log.take_warnings();
-    const auto first_of_all = [&](const Warning& warning) {
-        log.tell({warning});
-        facts.warnings.insert(facts.warnings.begin(), warning);
-    };
-    if (facts.troubles.any()) first_of_all(headline(facts.troubles));
-    outcome.too_many_failed = warn_of_failures(input, result, log);
-    log.warn_all(kinds_of_warnings(runs, facts.warnings));
-    const StudySpec echoed = seen_from(input.reading.study, directory.target());
-    write_text_file(directory.path(is_region ? k_region_file : k_study_file),
-                    is_region ? region_text(echoed) : study_text(echoed));
     if (const auto scheme = common_scheme(input)) input.base.tags["SCHEME"] = word_of(*scheme, k_schemes);
-    facts.threads = study.threads;
-    facts.computed = study.computed;
-    facts.date = today();
+    facts.threads = threads;
+    facts.computed = computed;
     std::vector<FigureSensitivity> figures;
     const Bounds map = computed_ground(input);
     if (!result.finished_at.empty()) {
         choose_grid(input, result, log);
         // First of all: what it doubts stands on every map.
-        facts.scheme_check = check_scheme(input, candidates_of(result), study.threads);
+        facts.scheme_check = check_scheme(input, result.members, result.weights(), threads);
         if (facts.scheme_check)
-            for (const Sentence& sentence : sentences_of(*facts.scheme_check)) log.info(sentence.text());
+            for (const auto& [name, value] : rows_of(*facts.scheme_check))
+                log.info(worded("{1}: {2}", {name, value}).text());
         if (const auto doubt = facts.scheme_check ? warning_of(*facts.scheme_check) : std::nullopt) {
-            first_of_all({*doubt, true});
-            input.base.scene.warnings += Warnings{{*doubt, true}};
+            const Warning first{*doubt, true};
+            log.tell({first});
+            facts.warnings.insert(facts.warnings.begin(), first);
+            input.base.scene.warnings += Warnings{first};
         }
         if (is_region) {
             publish_unions(input, result, directory, facts);
@@ -372,7 +349,7 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
         facts.exposure = publish_study_exposure(input, result, map, directory);
         if (facts.exposure) log.info(exposure_sentence(*facts.exposure, exposure_reached_by(input)));
     }
-    write_text_file(directory.path(k_inputs_file), recorded_inputs(inputs_of(input), directory.target()));
+    write_study_file(input, directory);  // after the central scene's own inputs
     write_text_file(directory.path(k_member_table), members_csv(input, result));
     if (!is_region) write_text_file(directory.path(k_sensitivity_table), sensitivity_csv(input, figures));
     write_kept_members(input, result, directory);
@@ -385,9 +362,9 @@ StudyOutcome publish_study(const FinishedStudy& study, const ResultDirectory& di
     }
     std::optional<StudyComparison> comparison;
     if (!result.finished_at.empty()) comparison = compare_study(input, directory, log);
-    facts.wall_seconds = study.since_start.seconds();
+    facts.wall_seconds = since_start.seconds();
     facts.warnings += log.take_warnings();
-    if (input.base.spec.output.report) write_study_report(input, result, figures, facts, directory);
+    if (input.base.spec.output.report) write_study_report(input, result, facts, directory);
     if (comparison) renew_report(directory.folder(), comparison->scores, comparison->map);
     write_text_file(directory.path(k_summary_file), study_summary_json(input, result, facts));
     write_text_file(directory.path(k_log_file), log.text());

@@ -16,18 +16,17 @@ namespace {
 
 constexpr const char* k_scheme_key = "numerics.scheme";
 
-double value_of(const std::vector<Figure>& figures, const std::string& key) {
-    const auto found = std::find_if(figures.begin(), figures.end(), [&](const Figure& one) { return one.key == key; });
-    return found == figures.end() ? k_no_data : found->value;
-}
-
-/// The candidates nearest to the median run-out and farthest, of several the first.
-std::vector<SchemeCheck::Member> chosen(const std::vector<CheckCandidate>& finished) {
+/// The members with weight nearest to the median run-out and farthest, of several the first.
+std::vector<SchemeCheck::Member> chosen(const std::vector<MemberResult>& all, const std::vector<double>& all_weights) {
+    std::vector<const MemberResult*> finished;
     std::vector<double> run_outs, weights;
-    for (const CheckCandidate& one : finished) {
-        run_outs.push_back(value_of(one.figures, k_run_out_key));
-        weights.push_back(one.weight);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!(all_weights[i] > 0)) continue;
+        finished.push_back(&all[i]);
+        run_outs.push_back(value_of(all[i].figures, k_run_out_key));
+        weights.push_back(all_weights[i]);
     }
+    if (finished.empty()) return {};
     const double middle = weighted_quantile(run_outs, weights, 0.5);
     std::size_t median = 0, farthest = 0;
     for (std::size_t i = 0; i < run_outs.size(); ++i) {
@@ -38,10 +37,10 @@ std::vector<SchemeCheck::Member> chosen(const std::vector<CheckCandidate>& finis
     for (const std::size_t i : {median, farthest}) {
         if (!members.empty() && median == farthest) break;
         SchemeCheck::Member member;
-        member.member = finished[i].member;
+        member.member = finished[i]->member;
         member.is_farthest = !members.empty();
         for (std::size_t f = 0; f < std::size(k_checked_figures); ++f)
-            member.own[f] = value_of(finished[i].figures, k_checked_figures[f]);
+            member.own[f] = value_of(finished[i]->figures, k_checked_figures[f]);
         members.push_back(member);
     }
     return members;
@@ -79,13 +78,13 @@ std::optional<Scheme> common_scheme(const StudyInput& input) {
     return input.base.spec.numerics.scheme;
 }
 
-std::optional<SchemeCheck> check_scheme(const StudyInput& input, const std::vector<CheckCandidate>& finished,
-                                        int threads) {
+std::optional<SchemeCheck> check_scheme(const StudyInput& input, const std::vector<MemberResult>& all,
+                                        const std::vector<double>& weights, int threads) {
     const std::optional<Scheme> scheme = common_scheme(input);
-    if (!scheme || finished.empty()) return std::nullopt;
+    std::vector<SchemeCheck::Member> members = chosen(all, weights);
+    if (!scheme || members.empty()) return std::nullopt;
     const Scheme other = *scheme == Scheme::finite_volume ? Scheme::standard : Scheme::finite_volume;
     SchemeCheck check{word_of(*scheme, k_schemes), word_of(other, k_schemes), "", {}};
-    std::vector<SchemeCheck::Member> members = chosen(finished);
     std::vector<MemberTask> tasks;
     for (const SchemeCheck::Member& one : members) {
         MemberTask& task = tasks.emplace_back(MemberTask{one.member, input.table.overrides(one.member), 0});
@@ -136,12 +135,6 @@ std::vector<std::pair<Sentence, Sentence>> rows_of(const SchemeCheck& check) {
                                     : worded("failed: {1}", {one.failure}));
     }
     return rows;
-}
-
-std::vector<Sentence> sentences_of(const SchemeCheck& check) {
-    std::vector<Sentence> all;
-    for (const auto& [name, value] : rows_of(check)) all.push_back(worded("{1}: {2}", {name, value}));
-    return all;
 }
 
 Json scheme_json(const StudyInput& input) {

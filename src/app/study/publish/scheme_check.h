@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/study/plan/study_input.h"
+#include "app/study/pool/study_result.h"
 #include "core/json.h"
 #include "core/words/sentence.h"
 #include "simulation/run_summary.h"
@@ -17,13 +18,6 @@ namespace frana::app::study {
 
 /// Figures in which the runs of two schemes are compared.
 inline constexpr const char* k_checked_figures[] = {k_run_out_key, "covered_area_m2", "max_depth_m"};
-
-/// A finished member that may be computed again.
-struct CheckCandidate {
-    std::size_t member = 0;
-    double weight = 0;
-    std::vector<Figure> figures;
-};
 
 /// A study's members by the other scheme: how much of a result is the scheme's.
 struct SchemeCheck {
@@ -47,13 +41,12 @@ std::optional<Scheme> common_scheme(const StudyInput& input);
 /// Runs the members nearest to the weighted median of the run-out and farthest again by the other scheme: finite
 /// volumes, or the default one of members by these. Each runs on one thread; the members alone decide its bits. None
 /// without a common_scheme. Throws Error(environment).
-std::optional<SchemeCheck> check_scheme(const StudyInput& input, const std::vector<CheckCandidate>& finished,
-                                        int threads);
+/// @param weights of the members; one without is no candidate
+std::optional<SchemeCheck> check_scheme(const StudyInput& input, const std::vector<MemberResult>& members,
+                                        const std::vector<double>& weights, int threads);
 
 /// Returns what the check says, a name and its value for each run; the first is the members' scheme.
 std::vector<std::pair<Sentence, Sentence>> rows_of(const SchemeCheck& check);
-/// The same as sentences.
-std::vector<Sentence> sentences_of(const SchemeCheck& check);
 /// The warning where members by finite volumes reach elsewhere than by particles; none for members by particles.
 std::optional<Sentence> warning_of(const SchemeCheck& check);
 Json check_json(const SchemeCheck& check);

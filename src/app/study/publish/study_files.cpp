@@ -100,7 +100,9 @@ std::optional<render::Chart> sensitivity(const ChartData& data, const std::strin
         if (!by_effects) panel.on_x = {by_indices ? 0 : -1.05, 1.05};
         for (std::size_t k = 0; k < figure.keys.size(); ++k) {
             const KeySensitivity& one = figure.keys[k];
-            const auto& value = by_effects ? one.effect : by_indices ? one.total : one.rank_correlation;
+            std::optional<Interval> value = by_effects ? one.effect : one.rank_correlation;
+            if (by_indices && !by_effects)
+                value = one.total ? std::optional(Interval{*one.total, k_no_data, k_no_data}) : std::nullopt;
             if (!value) continue;
             const double y = count - static_cast<double>(k);
             const Rgb colour = k_colours[k % std::size(k_colours)];
@@ -109,7 +111,7 @@ std::optional<render::Chart> sensitivity(const ChartData& data, const std::strin
             if (std::isfinite(value->low))
                 panel.series.push_back({"", {20, 20, 20}, {{value->low, y}, {value->high, y}}, 1.6});
             if (by_effects || !by_indices) continue;
-            render::ChartSeries first{"", {20, 20, 20}, {{one.first_order->value, y}}, 1};
+            render::ChartSeries first{"", {20, 20, 20}, {{*one.first_order, y}}, 1};
             first.marker = render::Marker::circle;
             panel.series.push_back(std::move(first));
         }
@@ -352,13 +354,7 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
     const std::vector<float> none(result.finished.size());
     facts.least_margin = MeanEstimate(result.finished).probability(none, 0).margin;
     for (const MappedEvents& events : mapped_events(input.base.spec)) {
-        const QuantityMaps maps = quantity_maps(result.finished, events.quantity, result.grid, events.thresholds);
-        std::vector<Raster> bounds;
-        if (result.open.any())
-            bounds = probability_bounds(maps.probability, result.open, events.quantity, events.thresholds, result.grid);
-        for (std::size_t t = 0; t < events.rasters.size(); ++t)
-            writer.write_probability(events.rasters[t], maps.probability[t], maps.margin[t],
-                                     bounds.empty() ? nullptr : &bounds[t]);
+        const QuantityMaps maps = writer.write_probabilities(result.finished, result.open, result.grid, events);
         if (events.quantity == Quantity::depth) {
             write_quantiles(result, maps, events.quantity, "depth", writer);
             writer.write(RasterName::hit_count, maps.hits);
@@ -405,10 +401,6 @@ void write_member(const StudyInput& input, std::size_t member, const MemberRecor
         gis::write_geotiff(path(std::string(name) + ".tif"), record.raster(quantity, grid),
                            {row.name, description_of(row, row.name, scene.output), row.unit, provenance(input.base)});
     }
-}
-
-void load_study_drawing(const StudyInput& input, Loading loading) {
-    load_drawing(input.base.spec.output.maps.front() != "off", false, loading);
 }
 
 void draw_study(const StudyInput& input, const StudyResult& result, const std::vector<FigureSensitivity>& figures,

@@ -56,9 +56,6 @@ std::vector<gis::OutlineLayer> known_outlines(const StudyInput& input);
 void write_member(const StudyInput& input, std::size_t member, const MemberRecord& record, const GridSpec& grid,
                   const ResultDirectory& directory, const std::string& folder);
 
-/// Loads what draw_study() draws with, before the members run. Throws Error(environment) if it is missing.
-void load_study_drawing(const StudyInput& input, Loading loading);
-
 /// Draws the maps and charts that the scene's output.maps and output.charts ask for, with a warning of one that could
 /// not be drawn.
 void draw_study(const StudyInput& input, const StudyResult& result, const std::vector<FigureSensitivity>& figures,

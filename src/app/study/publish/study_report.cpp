@@ -49,124 +49,101 @@ std::string varied(const StudyInput& input) {
     return told.empty() ? joined(input.table.keys, ", ") : joined(told, "; ");
 }
 
-/// What a study's report says first: a row for each fact.
-class AnswerTable {
-  public:
-    AnswerTable(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words)
-        : input_(input), result_(result), facts_(facts), words_(words), number_(words) {}
+// What a study's report says first: a row for each fact.
 
-    Table of_runs();
-    Table of_slopes();
-
-  private:
-    void add(const std::string& name, const std::string& value, const std::string& kind = {}) {
-        table_.row({name, value}, kind);
-    }
-    void add_unfinished();
-    void add_scheme();
-    void add_areas();
-    void add_errors();
-
-    const StudyInput& input_;
-    const StudyResult& result_;
-    const StudyFacts& facts_;
-    const Words& words_;
-    ReportNumbers number_;
-    Table table_;
-};
-
-void AnswerTable::add_unfinished() {
-    if (const std::size_t unfinished = facts_.troubles.unfinished(); unfinished > 0)
-        add(words_("Unfinished"),
-            words_("{1} of {2} runs: values are lower bounds",
-                   {std::to_string(unfinished), std::to_string(facts_.troubles.runs)}),
-            "warning");
+void add_unfinished(const StudyFacts& facts, const Words& words, Table& table) {
+    if (const std::size_t unfinished = facts.troubles.unfinished(); unfinished > 0)
+        table.row({words("Unfinished"), words("{1} of {2} runs: values are lower bounds",
+                                              {std::to_string(unfinished), std::to_string(facts.troubles.runs)})},
+                  "warning");
 }
 
-void AnswerTable::add_scheme() {
-    if (facts_.scheme_check)
-        for (const auto& [name, value] : rows_of(*facts_.scheme_check)) add(name.in(words_), value.in(words_));
+void add_scheme(const StudyFacts& facts, const Words& words, Table& table) {
+    if (facts.scheme_check)
+        for (const auto& [name, value] : rows_of(*facts.scheme_check)) table.row({name.in(words), value.in(words)});
 }
 
 /// Where the least depth threshold is exceeded with at least some probability.
-void AnswerTable::add_areas() {
-    for (std::size_t q = facts_.reached_m2.size(); q-- > 0;) {
+void add_areas(const StudyFacts& facts, const Words& words, Table& table) {
+    const ReportNumbers number(words);
+    for (std::size_t q = facts.reached_m2.size(); q-- > 0;) {
         const double fraction = k_study_quantiles[q].fraction;
-        std::string area = number_.grouped(facts_.reached_m2[q]);
+        std::string area = number.grouped(facts.reached_m2[q]);
         if (fraction == 0.5)
             area += " (" +
-                    words_("95 %: {1} to {2}", {number_.grouped(facts_.half_reached_m2.low),
-                                                number_.grouped(facts_.half_reached_m2.high)}) +
+                    words("95 %: {1} to {2}",
+                          {number.grouped(facts.half_reached_m2.low), number.grouped(facts.half_reached_m2.high)}) +
                     ")";
-        add(words_("Area deeper than {1} m in {2} % of the runs or more [m²]",
-                   {number_(facts_.reached_threshold), number_.percent(fraction)}),
-            area);
+        table.row({words("Area deeper than {1} m in {2} % of the runs or more [m²]",
+                         {number(facts.reached_threshold), number.percent(fraction)}),
+                   area});
     }
 }
 
-void AnswerTable::add_errors() {
-    const auto percent = [&](double fraction) { return number_.percent(fraction) + " %"; };
-    add(words_("Standard error of the probabilities"),
-        words_("{1} at most, {2} on average", {percent(facts_.error.largest()), percent(facts_.error.mean())}));
-    add(words_("Margin of a probability of 0 or 1 (95 %)"), percent(facts_.least_margin));
-    const std::vector<double>& weights = result_.finished.weights;
-    add(words_("Weight of one run"), percent(*std::max_element(weights.begin(), weights.end())));
-    if (const auto& rare = facts_.rare_place)
-        add(words_("Deeper than {1} m at {2}", {number_(rare->event.threshold), rare->event.gauge}),
-            percent(rare->probability.value) + " (" +
-                words_("95 %: {1} to {2}", {percent(rare->probability.low()), percent(rare->high)}) + "), " +
-                words_("{1} runs", {std::to_string(rare->hits)}));
-    if (const auto& until = input_.reading.study.until)
-        add("study.until = " + words_.number(shortest_text(*until)),
-            words_(facts_.error.largest() <= *until ? worded("reached") : worded("not reached")));
+void add_errors(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words,
+                Table& table) {
+    const ReportNumbers number(words);
+    const auto percent = [&](double fraction) { return number.percent(fraction) + " %"; };
+    table.row({words("Standard error of the probabilities"),
+               words("{1} at most, {2} on average", {percent(facts.error.largest()), percent(facts.error.mean())})});
+    table.row({words("Margin of a probability of 0 or 1 (95 %)"), percent(facts.least_margin)});
+    const std::vector<double>& weights = result.finished.weights;
+    table.row({words("Weight of one run"), percent(*std::max_element(weights.begin(), weights.end()))});
+    if (const auto& rare = facts.rare_place)
+        table.row({words("Deeper than {1} m at {2}", {number(rare->event.threshold), rare->event.gauge}),
+                   percent(rare->probability.value) + " (" +
+                       words("95 %: {1} to {2}", {percent(rare->probability.low()), percent(rare->high)}) + "), " +
+                       words("{1} runs", {std::to_string(rare->hits)})});
+    if (const auto& until = input.reading.study.until)
+        table.row({"study.until = " + words.number(shortest_text(*until)),
+                   words(facts.error.largest() <= *until ? worded("reached") : worded("not reached"))});
 }
 
-Table AnswerTable::of_runs() {
-    const StudySpec& study = input_.reading.study;
+Table runs_table(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {
+    const StudySpec& study = input.reading.study;
+    Table table;
     std::vector<std::string> areas;
-    for (const ReleaseArea& area : input_.base.scene.release) areas.push_back(area.name);
-    if (const std::string names = names_of(areas); !names.empty()) add(words_("Release"), names);
-    add(words_("Varied"), varied(input_));
-    add(words_("Runs"), words_("{1} of {2}, sampling {3}, seed {4}",
-                               {std::to_string(result_.finished_at.size()), std::to_string(result_.members.size()),
-                                name_of(study.sampling), std::to_string(study.seed)}));
-    add_unfinished();
-    if (!result_.finished_at.empty()) {
-        add_areas();
-        add_errors();
+    for (const ReleaseArea& area : input.base.scene.release) areas.push_back(area.name);
+    if (const std::string names = names_of(areas); !names.empty()) table.row({words("Release"), names});
+    table.row({words("Varied"), varied(input)});
+    table.row({words("Runs"), words("{1} of {2}, sampling {3}, seed {4}",
+                                    {std::to_string(result.finished_at.size()), std::to_string(result.members.size()),
+                                     name_of(study.sampling), std::to_string(study.seed)})});
+    add_unfinished(facts, words, table);
+    if (!result.finished_at.empty()) {
+        add_areas(facts, words, table);
+        add_errors(input, result, facts, words, table);
     }
-    add_scheme();
-    add(words_("Limitations"), words_("If the slope fails, for these distributions; errors of the model excluded"));
-    return table_;
+    add_scheme(facts, words, table);
+    return table.row(
+        {words("Limitations"), words("If the slope fails, for these distributions; errors of the model excluded")});
 }
 
-std::optional<std::size_t> place_of_figure(const StudyResult& result, const std::string& key) {
+Table region_table(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {
+    const ReportNumbers number(words);
+    Table table;
+    table.row({words("Slopes"), words("{1} of {2}, each failing alone", {std::to_string(result.finished_at.size()),
+                                                                         std::to_string(result.members.size())})});
+    add_unfinished(facts, words, table);
     const auto& figures = result.figures();
-    const auto found = std::find_if(figures.begin(), figures.end(), [&](const auto& one) { return one.key == key; });
-    if (found == figures.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - figures.begin());
-}
-
-Table AnswerTable::of_slopes() {
-    add(words_("Slopes"), words_("{1} of {2}, each failing alone",
-                                 {std::to_string(result_.finished_at.size()), std::to_string(result_.members.size())}));
-    add_unfinished();
-    if (const auto place = place_of_figure(result_, k_run_out_key)) {
-        const std::vector<double> values = result_.figure(*place);
+    const auto run_out =
+        std::find_if(figures.begin(), figures.end(), [](const auto& one) { return one.key == k_run_out_key; });
+    if (run_out != figures.end()) {
+        const std::vector<double> values = result.figure(static_cast<std::size_t>(run_out - figures.begin()));
         const auto farthest = static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
-        const std::size_t member = result_.members[result_.finished_at[farthest]].member;
-        const std::string& name = input_.slopes[member].name;
-        add(words_("Farthest run-out [m]"),
-            (facts_.troubles.any() ? "> " : "") + number_.grouped(values[farthest]) + " (" +
-                (name.empty() ? std::to_string(member) : elided(valid_utf8(name), k_name_letters)) + ")");
-        add(words_("Median run-out [m]"), number_.grouped(weighted_quantile(values, result_.finished.weights, 0.5)));
+        const std::size_t member = result.members[result.finished_at[farthest]].member;
+        const std::string& name = input.slopes[member].name;
+        table.row({words("Farthest run-out [m]"),
+                   (facts.troubles.any() ? "> " : "") + number.grouped(values[farthest]) + " (" +
+                       (name.empty() ? std::to_string(member) : elided(valid_utf8(name), k_name_letters)) + ")"});
+        table.row(
+            {words("Median run-out [m]"), number.grouped(weighted_quantile(values, result.finished.weights, 0.5))});
     }
-    if (!facts_.reached_m2.empty())
-        add(words_("Area deeper than {1} m by any slope [m²]", {number_(facts_.reached_threshold)}),
-            number_.grouped(facts_.reached_m2.front()));
-    add_scheme();
-    add(words_("Limitations"), words_("One set of values for each slope; none fails with another"));
-    return table_;
+    if (!facts.reached_m2.empty())
+        table.row({words("Area deeper than {1} m by any slope [m²]", {number(facts.reached_threshold)}),
+                   number.grouped(facts.reached_m2.front())});
+    add_scheme(facts, words, table);
+    return table.row({words("Limitations"), words("One set of values for each slope; none fails with another")});
 }
 
 Document figures_table(const StudyResult& result, const Words& words) {
@@ -213,12 +190,12 @@ Document degrees_table(const std::vector<HazardArea>& degrees, const Words& word
 /// The first page of a study's report: what varies, where it goes in how many of the runs, how sure that is. Of a
 /// region: what any slope reaches.
 Document study_answer(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {
-    AnswerTable table(input, result, facts, words);
     Document answer;
     if (facts.troubles.are_first()) answer.add(Paragraph{{}, headline(facts.troubles).in(words), "warning"});
     answer.heading("answer", words("Scenario and answer"));
-    if (input.reading.study.region) return answer.add(table.of_slopes()).first_warnings(facts.warnings, words);
-    return answer.add(table.of_runs())
+    if (input.reading.study.region)
+        return answer.add(region_table(input, result, facts, words)).first_warnings(facts.warnings, words);
+    return answer.add(runs_table(input, result, facts, words))
         .part(k_comparison_answer, comparison_answer(std::nullopt, words))
         .first_warnings(facts.warnings, words);
 }
@@ -244,10 +221,9 @@ constexpr ShownFigure k_figures[] = {{"volume_m3", worded("Volume [m³]"), true}
                                      {"max_velocity_ms", worded("Greatest speed [m/s]"), false}};
 
 std::string figure_text(const MemberResult& member, const ShownFigure& shown, const Words& words) {
-    for (const Figure& figure : member.figures)
-        if (figure.key == shown.key)
-            return words.number(shown.in_groups ? grouped(figure.value) : number_text(figure.value, 3));
-    return "";
+    const double value = value_of(member.figures, shown.key);
+    if (std::isnan(value)) return "";
+    return words.number(shown.in_groups ? grouped(value) : number_text(value, 3));
 }
 
 std::string why_open(const MemberEnd& end, const Words& words) {
@@ -304,55 +280,6 @@ Table keys_table(const StudyInput& input, const Words& words) {
     return table;
 }
 
-std::string interval_text(const std::optional<Interval>& one, const Words& words) {
-    if (!one) return "";
-    const ReportNumbers number(words);
-    if (std::isnan(one->low)) return number(one->value, 2);
-    return words("{1} ({2} to {3})", {number(one->value, 2), number(one->low, 2), number(one->high, 2)});
-}
-
-/// Of Morris' design, the greatest effects on a figure first.
-Document effects_table(const StudyInput& input, const std::vector<FigureSensitivity>& figures, const Words& words) {
-    const ReportNumbers number(words);
-    Table table({words("value"), words("key"), words("mean change"), words("deviation"), ""});
-    for (const FigureSensitivity& figure : figures) {
-        std::vector<std::size_t> order(figure.keys.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-            return figure.keys[a].effect->value > figure.keys[b].effect->value;
-        });
-        for (const std::size_t k : order) {
-            const KeySensitivity& one = figure.keys[k];
-            table.row({figure.figure.title.in(words), input.table.keys[k], interval_text(one.effect, words),
-                       number(one.effect_scatter, 2), ReportNumbers::unit(figure.figure.unit)});
-        }
-    }
-    return Document().add(table).small(
-        words("Mean change: by how much the value changes on average when the key alone moves by half of its "
-              "distribution, without sign (mu* of Morris), in brackets the interval of 95 %. A deviation as large as "
-              "it: the change depends on where the key is and on the others."));
-}
-
-Document sensitivity_table(const StudyInput& input, const std::vector<FigureSensitivity>& figures, bool are_dependent,
-                           const Words& words) {
-    if (!figures.empty() && figures.front().keys.front().effect) return effects_table(input, figures, words);
-    const ReportNumbers number(words);
-    Table table({words("value"), words("key"), words("first order"), words("total"), words("rank correlation"), "Q2"});
-    for (const FigureSensitivity& figure : figures) {
-        const std::string title = figure.figure.title.in(words);
-        for (std::size_t k = 0; k < figure.keys.size(); ++k) {
-            const KeySensitivity& one = figure.keys[k];
-            table.row({title, input.table.keys[k], interval_text(one.first_order, words),
-                       interval_text(one.total, words), interval_text(one.rank_correlation, words),
-                       std::isnan(figure.q2) ? words("not measurable") : number(figure.q2, 2)});
-        }
-    }
-    return Document().add(table).small(
-        are_dependent ? words("Correlated keys: no fraction of the variance is that of one of them.")
-                      : words("Fractions of the variance, alone and with others; none where Q2 is less than {1}.",
-                              {number(k_least_q2)}));
-}
-
 Table failures_list(const StudyResult& result, const Words& words) {
     Table table({words("member"), words("reason")});
     for (const MemberResult& member : result.members)
@@ -395,8 +322,18 @@ void add_inputs(const StudyInput& input, const StudyFacts& facts, const Words& w
 
 }  // namespace
 
-void write_study_report(const StudyInput& input, const StudyResult& result,
-                        const std::vector<FigureSensitivity>& figures, const StudyFacts& facts,
+void end_page(const StudyInput& input, const std::string& title, const Table& failures, const StudyFacts& facts,
+              Opening opening, Document page, const std::string& folder) {
+    const Words words = words_of(input.studies().front()->base.spec);
+    if (!facts.warnings.empty()) page.warnings(facts.warnings, words);
+    if (!failures.rows().empty()) page.heading("failures", words("Failed members")).add(failures);
+    const std::string origin = words("Computed with {1}, study {2}, {3}",
+                                     {std::string(k_program) + " " + k_version,
+                                      fs::path(input.spec().file).filename().string(), words.date(facts.date)});
+    write_page(folder, {title, origin, words, opening}, page);
+}
+
+void write_study_report(const StudyInput& input, const StudyResult& result, const StudyFacts& facts,
                         const ResultDirectory& directory) {
     const Words words = words_of(input.base.spec);
     const std::vector<std::string> maps = maps_in_order(input, directory);
@@ -417,19 +354,9 @@ void write_study_report(const StudyInput& input, const StudyResult& result,
     if (maps.empty()) page.paragraph(words("There are no maps."));
     page.part(k_comparison_section, {});
     add_inputs(input, facts, words, page);
-    if (!figures.empty())
-        page.heading("sensitivity", words("Sensitivity"))
-            .add(sensitivity_table(input, figures, result.points.are_dependent, words));
     page.charts(study_charts(), folder, words);
-    if (!facts.warnings.empty()) page.warnings(facts.warnings, words);
-    if (result.failed() > 0) page.heading("failures", words("Failed members")).add(failures_list(result, words));
-    write_page(folder,
-               {title_of(input, words),
-                words("Computed with {1}, study {2}, {3}",
-                      {std::string(k_program) + " " + k_version, fs::path(input.reading.study.file).filename().string(),
-                       words.date(facts.date)}),
-                words, maps.empty() ? Opening::answer : Opening::answer_with_picture},
-               page);
+    end_page(input, title_of(input, words), failures_list(result, words), facts,
+             maps.empty() ? Opening::answer : Opening::answer_with_picture, std::move(page), folder);
 }
 
 }  // namespace frana::app::study

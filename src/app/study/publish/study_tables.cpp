@@ -32,83 +32,76 @@ std::vector<std::string> figure_columns(const StudyResult& result) {
     return columns;
 }
 
-std::string figure_cell(const MemberResult& member, const std::string& key) {
-    for (const Figure& figure : member.figures)
-        if (figure.key == key) return shortest_text(figure.value);
-    return "";
-}
-
 std::string cell(const std::optional<double>& value) {
     return value && !std::isnan(*value) ? shortest_text(*value) : "";
 }
 
-/// What the attributes of a region's slopes say, and the terrain on which each ran, as terrain.bounds takes it.
-constexpr const char* k_slope_columns[] = {"name", "group", "scenario", "return_period", "terrain.bounds"};
-
-std::vector<std::string> slope_cells(const Slope& slope, const MemberResult& member) {
-    const Bounds& box = member.terrain;
-    const std::string bounds = shortest_text(box.west) + " " + shortest_text(box.south) + " " +
-                               shortest_text(box.east) + " " + shortest_text(box.north);
-    return {slope.name, slope.group, slope.scenario, cell(slope.return_period), member.figures.empty() ? "" : bounds};
-}
-
-void append(std::vector<std::string>& list, const auto& more) {
-    list.insert(list.end(), std::begin(more), std::end(more));
-}
-
 }  // namespace
 
-std::string members_csv(const StudyInput& input, const StudyResult& result) {
-    const std::vector<std::string> figures = figure_columns(result);
-    // A member that was cut ran on: its row repeats it all the same.
+std::vector<MemberCell> member_row(const StudyInput& input, const StudyResult& result, const MemberResult& member) {
+    std::vector<MemberCell> row;
+    const auto text = [&](const std::string& name, const std::string& value) { row.push_back({name, value, false}); };
+    const auto number = [&](const std::string& name, const std::string& value) { row.push_back({name, value}); };
+    number("member", std::to_string(member.member));
+    text("status", member.failure.empty() ? "finished" : "failed");
+    number("weight", shortest_text(input.table.weights[member.member]));
+    if (!input.slopes
+             .empty()) {  // what its attributes say, and the terrain on which it ran, as terrain.bounds takes it
+        const Slope& slope = input.slopes[member.member];
+        const Bounds& box = member.terrain;
+        text("name", slope.name);
+        text("group", slope.group);
+        text("scenario", slope.scenario);
+        number("return_period", cell(slope.return_period));
+        text("terrain.bounds", member.figures.empty() ? ""
+                                                      : shortest_text(box.west) + " " + shortest_text(box.south) + " " +
+                                                            shortest_text(box.east) + " " + shortest_text(box.north));
+    }
     const auto& keys = input.table.keys;
-    const bool has_end = std::find(keys.begin(), keys.end(), k_end_key) == keys.end();
-    std::vector<std::string> heads{"member", "status", "weight"};
-    if (!input.slopes.empty()) append(heads, k_slope_columns);
-    append(heads, keys);
-    if (has_end) heads.emplace_back(k_end_key);
-    append(heads, figures);
-    heads.emplace_back("engine_seconds");
-    append(heads, k_end_columns);
-    heads.emplace_back("reason");
-    std::string text = csv_line(heads);
+    for (std::size_t k = 0; k < keys.size(); ++k) text(keys[k], input.table.values[member.member][k]);
+    // A member that was cut ran on: its row repeats it all the same.
+    if (std::find(keys.begin(), keys.end(), k_end_key) == keys.end())
+        number(k_end_key, member.end.stop_reason.empty() ? "" : shortest_text(member.end.end));
+    for (const std::string& figure : figure_columns(result)) number(figure, cell(value_of(member.figures, figure)));
+    number("engine_seconds", shortest_text(member.engine_seconds));
+    const std::vector<std::string> end = end_values(member.end);
+    for (std::size_t i = 0; i < end.size(); ++i) row.push_back({k_end_columns[i], end[i], i > 0});
+    text("reason", member.failure);
+    return row;
+}
+
+std::string members_csv(const StudyInput& input, const StudyResult& result) {
+    std::string text;
     for (const MemberResult& member : result.members) {
-        std::vector<std::string> row{std::to_string(member.member), member.failure.empty() ? "finished" : "failed",
-                                     shortest_text(input.table.weights[member.member])};
-        if (!input.slopes.empty()) append(row, slope_cells(input.slopes[member.member], member));
-        append(row, input.table.values[member.member]);
-        if (has_end) row.push_back(member.end.stop_reason.empty() ? "" : shortest_text(member.end.end));
-        for (const std::string& figure : figures) row.push_back(figure_cell(member, figure));
-        row.push_back(shortest_text(member.engine_seconds));
-        append(row, end_values(member.end));
-        row.push_back(member.failure);
-        text += csv_line(row);
+        std::vector<std::string> heads, cells;
+        for (const MemberCell& one : member_row(input, result, member)) {
+            heads.push_back(one.name);
+            cells.push_back(one.text);
+        }
+        text += (text.empty() ? csv_line(heads) : "") + csv_line(cells);
     }
     return text;
 }
 
 std::string sensitivity_csv(const StudyInput& input, const std::vector<FigureSensitivity>& figures) {
-    std::string text =
-        csv_line({"figure", "key", "first_order", "total", "low", "high", "total_low", "total_high", "rank_correlation",
-                  "rank_low", "rank_high", "method", "q2", "effect", "effect_low", "effect_high", "effect_deviation"});
+    std::string text = csv_line({"figure", "key", "first_order", "total", "rank_correlation", "rank_low", "rank_high",
+                                 "method", "q2", "effect", "effect_low", "effect_high", "effect_deviation"});
+    const auto of = [](const std::optional<Interval>& interval, double Interval::*member) {
+        return interval ? cell((*interval).*member) : "";
+    };
     for (const FigureSensitivity& figure : figures) {
         for (std::size_t k = 0; k < figure.keys.size(); ++k) {
             const KeySensitivity& one = figure.keys[k];
-            const auto of = [](const std::optional<Interval>& interval, double Interval::*member) {
-                return interval ? cell((*interval).*member) : "";
-            };
-            text += csv_line({figure.figure.key, input.table.keys[k], of(one.first_order, &Interval::value),
-                              of(one.total, &Interval::value), of(one.first_order, &Interval::low),
-                              of(one.first_order, &Interval::high), of(one.total, &Interval::low),
-                              of(one.total, &Interval::high), of(one.rank_correlation, &Interval::value),
-                              of(one.rank_correlation, &Interval::low), of(one.rank_correlation, &Interval::high),
-                              one.method.empty() ? "not measurable" : one.method, cell(figure.q2),
-                              of(one.effect, &Interval::value), of(one.effect, &Interval::low),
-                              of(one.effect, &Interval::high), one.effect ? cell(one.effect_scatter) : ""});
+            text +=
+                csv_line({figure.figure.key, input.table.keys[k], cell(one.first_order), cell(one.total),
+                          of(one.rank_correlation, &Interval::value), of(one.rank_correlation, &Interval::low),
+                          of(one.rank_correlation, &Interval::high), one.method.empty() ? "not measurable" : one.method,
+                          cell(figure.q2), of(one.effect, &Interval::value), of(one.effect, &Interval::low),
+                          of(one.effect, &Interval::high), one.effect ? cell(one.effect_scatter) : ""});
         }
         if (!std::isnan(figure.q2))
             text += csv_line({figure.figure.key, k_not_explained, shortest_text(std::min(1.0, 1 - figure.q2)), "", "",
-                              "", "", "", "", "", "", "polynomial chaos", cell(figure.q2), "", "", "", ""});
+                              "", "", "polynomial chaos", cell(figure.q2), "", "", "", ""});
     }
     return text;
 }
@@ -149,28 +142,36 @@ Json figures_json(const StudyResult& result) {
 
 }  // namespace
 
+Json summary_head(const StudyInput& input, const StudyFacts& facts) {
+    constexpr const char* k_kinds[] = {"ensemble", "region", "calibration"};
+    const StudySpec& study = input.spec();
+    const double an_hour = facts.wall_seconds > 0 ? 3600 * static_cast<double>(facts.computed) / facts.wall_seconds : 0;
+    return {{"program", k_program},
+            {"version", k_version},
+            {"format", k_result_format},
+            {"date", facts.date},
+            {"kind", k_kinds[static_cast<std::size_t>(study.kind)]},
+            {"study", study.file},
+            {"sampling", name_of(study.sampling)},
+            {"seed", study.seed},
+            {"run_troubles", json_of(facts.troubles)},
+            {"wall_seconds", facts.wall_seconds},
+            {"threads", facts.threads},
+            {study.is_calibration() ? "runs_per_hour" : "members_per_hour", an_hour},
+            {"warnings", texts_of(facts.warnings)},
+            {"warning_values", json_of(facts.warnings)}};
+}
+
 std::string study_summary_json(const StudyInput& input, const StudyResult& result, const StudyFacts& facts) {
     const StudySpec& study = input.reading.study;
     const GridSpec& grid = result.grid;
-    Json json{{"program", k_program},
-              {"version", k_version},
-              {"format", k_result_format},
-              {"date", facts.date},
-              {"kind", study.region ? "region" : "ensemble"},
-              {"language", input.base.spec.output.language},
-              {"study", study.file},
-              {"scene", study.scene},
-              {"sampling", name_of(study.sampling)},
-              {"seed", study.seed},
-              {"samples", result.members.size()},
-              {"finished", result.finished_at.size()},
-              {"failed", result.failed()},
-              {"run_troubles", json_of(facts.troubles)},
-              {"wall_seconds", facts.wall_seconds},
-              {"threads", facts.threads},
-              {"members_per_hour",
-               facts.wall_seconds > 0 ? 3600 * static_cast<double>(facts.computed) / facts.wall_seconds : 0},
-              {"crs", input.base.ground.crs_label}};
+    Json json = summary_head(input, facts);
+    json["language"] = input.base.spec.output.language;
+    json["scene"] = study.scene;
+    json["samples"] = result.members.size();
+    json["finished"] = result.finished_at.size();
+    json["failed"] = result.failed();
+    json["crs"] = input.base.ground.crs_label;
     Json& varied = json["varied"] = Json::array();
     for (const Variation& one : study.vary)
         varied.push_back({{"key", one.key}, {"distribution", one.distribution.text}});
@@ -213,8 +214,6 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
     for (const MemberResult& member : result.members)
         if (!member.failure.empty()) failures.push_back({{"member", member.member}, {"reason", member.failure}});
     if (facts.exposure) json["exposure"] = exposure_json(*facts.exposure);
-    json["warnings"] = texts_of(facts.warnings);
-    json["warning_values"] = json_of(facts.warnings);
     return json_text(json);
 }
 

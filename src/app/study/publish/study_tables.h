@@ -12,15 +12,24 @@
 #include "app/study/plan/study_input.h"
 #include "app/study/pool/study_result.h"
 #include "app/study/publish/scheme_check.h"
+#include "app/text/number_text.h"
+#include "core/json.h"
 
 namespace frana::app::study {
 
-/// Returns members.csv: a row for each member, with its values as after `--set` and its figures.
+/// A column of the tables of members with a member's value.
+struct MemberCell {
+    std::string name, text;
+    bool is_number = true;
+};
+/// What they say of a member: its values as after `--set`, its figures, how it ended; the same columns for all.
+std::vector<MemberCell> member_row(const StudyInput& input, const StudyResult& result, const MemberResult& member);
+/// Returns members.csv, with a row for each member.
 std::string members_csv(const StudyInput& input, const StudyResult& result);
 /// Returns sensitivity.csv: a row for each figure and key.
 std::string sensitivity_csv(const StudyInput& input, const std::vector<FigureSensitivity>& figures);
 
-/// What a study's summary.json contains besides its members.
+/// What the summary.json of a study of any kind contains besides its members.
 struct StudyFacts {
     Troubles troubles;
     ErrorSummary error;       ///< of all maps of probability
@@ -29,7 +38,7 @@ struct StudyFacts {
     std::optional<ExposureTotals> exposure;
     std::optional<SchemeCheck> scheme_check;
     std::vector<FrictionArea> friction_areas;  ///< of the ground that at least one run reached
-    std::string date;                          ///< the day it was written, "2026-11-24"
+    std::string date = today();                ///< the day it was written, "2026-11-24"
     /// Areas deeper than the threshold at some time [m2]: with the probability of each of k_study_quantiles at least;
     /// of sources that fail alone one value, that of all of them. Empty: there is no such map.
     std::vector<double> reached_m2;
@@ -47,6 +56,8 @@ struct ShownFriction {
     std::vector<std::string> varied;
 };
 ShownFriction shown_friction(const StudyInput& input);
+/// What summary.json has of a study of any kind.
+Json summary_head(const StudyInput& input, const StudyFacts& facts);
 /// Returns summary.json.
 std::string study_summary_json(const StudyInput& input, const StudyResult& result, const StudyFacts& facts);
 

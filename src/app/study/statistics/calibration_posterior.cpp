@@ -99,16 +99,10 @@ double supported_power(const std::vector<double>& log_likelihood, const std::vec
     return low;
 }
 
-std::vector<double> column(const Places& places, std::size_t k) {
-    std::vector<double> all;
-    for (const auto& place : places) all.push_back(place[k]);
-    return all;
-}
-
 std::vector<double> deviations(const Places& places, const std::vector<double>& weights) {
     std::vector<double> all;
     for (std::size_t k = 0; k < places.front().size(); ++k) {
-        const std::vector<double> values = column(places, k);
+        const std::vector<double> values = column_of(places, k);
         const double mean = mean_of(values, weights);
         double variance = 0;
         for (std::size_t i = 0; i < values.size(); ++i)
@@ -156,8 +150,8 @@ double greatest_move(const PosteriorSample& before, const PosteriorSample& after
     double greatest = 0;
     for (std::size_t k = 0; k < after.places.front().size(); ++k)
         for (const double q : {k_low, 0.5, k_high})
-            greatest = std::max(greatest, std::abs(weighted_quantile(column(after.places, k), after.weights, q) -
-                                                   weighted_quantile(column(before.places, k), before.weights, q)));
+            greatest = std::max(greatest, std::abs(weighted_quantile(column_of(after.places, k), after.weights, q) -
+                                                   weighted_quantile(column_of(before.places, k), before.weights, q)));
     return greatest;
 }
 

@@ -41,8 +41,7 @@ StudySpec with_seed(StudySpec study, std::size_t number, std::int64_t samples) {
 ImportanceSampling::ImportanceSampling(const StudySpec& study)
     : study_(study), dense_(dense_points(with_seed(study, std::size(k_round_ends), k_dense), k_dense)) {
     for (std::size_t k = 0; k < study.vary.size(); ++k) {
-        std::vector<double> column;
-        for (const std::vector<double>& place : dense_.places) column.push_back(place[k]);
+        std::vector<double> column = column_of(dense_.places, k);
         if (!dense_.nominal[k]) column = openturns().quantiles(study.vary[k].distribution, column);
         for (std::size_t i = 0; i < column.size() && !dense_.nominal[k]; ++i) dense_.numbers[i][k] = column[i];
         low_.push_back(*std::min_element(column.begin(), column.end()));

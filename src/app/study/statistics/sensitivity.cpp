@@ -73,12 +73,6 @@ bool all_different(const std::vector<double>& values) {
     return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
 }
 
-std::vector<double> column_of(const DesignPoints& points, std::size_t key) {
-    std::vector<double> column;
-    for (const auto& row : points.numbers) column.push_back(row[key]);
-    return column;
-}
-
 }  // namespace
 
 std::vector<KeySensitivity> elementary_effects(const DesignPoints& points, const std::vector<double>& output,
@@ -109,7 +103,7 @@ std::vector<KeySensitivity> elementary_effects(const DesignPoints& points, const
 Places rank_places(const DesignPoints& points) {
     Places places(points.numbers.size(), std::vector<double>(points.nominal.size()));
     for (std::size_t k = 0; k < points.nominal.size(); ++k) {
-        const std::vector<double> ranks = ranks_of(column_of(points, k));
+        const std::vector<double> ranks = ranks_of(column_of(points.numbers, k));
         for (std::size_t i = 0; i < ranks.size(); ++i)
             places[i][k] = (ranks[i] + 0.5) / static_cast<double>(ranks.size());
     }
@@ -120,7 +114,7 @@ std::vector<KeySensitivity> rank_correlations(const DesignPoints& points, const 
     std::vector<KeySensitivity> all(points.nominal.size());
     const std::vector<double> ranks = ranks_of(output);
     for (std::size_t k = 0; k < all.size(); ++k) {
-        const std::vector<double> column = column_of(points, k);
+        const std::vector<double> column = column_of(points.numbers, k);
         if (points.nominal[k] && all_different(column)) continue;
         const double value =
             points.nominal[k] ? correlation_ratio(column, ranks) : correlation(ranks_of(column), ranks);
@@ -136,7 +130,7 @@ bool are_correlated(const DesignPoints& points) {
     const double most = 4 / std::sqrt(static_cast<double>(points.numbers.size()));
     for (std::size_t a = 0; a < points.nominal.size(); ++a) {
         if (points.nominal[a]) continue;
-        const std::vector<KeySensitivity> with = rank_correlations(points, column_of(points, a));
+        const std::vector<KeySensitivity> with = rank_correlations(points, column_of(points.numbers, a));
         for (std::size_t b = 0; b < a; ++b)
             if (with[b].rank_correlation && std::abs(with[b].rank_correlation->value) > most) return true;
     }

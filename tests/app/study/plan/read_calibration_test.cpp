@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/study/plan/read_calibration.h"
+#include "app/study/plan/read_study.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -25,9 +25,9 @@ class ReadCalibration : public ::testing::Test {
         std::error_code ignored;
         fs::remove(file_, ignored);
     }
-    [[nodiscard]] CalibrationReading read(const std::string& text) const {
+    [[nodiscard]] StudyReading read(const std::string& text) const {
         std::ofstream(file_, std::ios::binary) << text;
-        return read_calibration(file_.string());
+        return read_study(file_.string(), StudyKind::calibration);
     }
 
     fs::path file_;
@@ -62,14 +62,15 @@ release.volume = uniform(1000, 3000)
 material.friction-angle material.turbulence = -0.3
 )";
 
-void expect_two_events(const CalibrationSpec& spec) {
-    EXPECT_EQ(spec.study.samples, 64);
+void expect_two_events(const StudySpec& spec) {
+    EXPECT_EQ(spec.samples, 64);
     EXPECT_EQ(spec.exponent, 8);
     ASSERT_EQ(spec.objective.size(), 2U);
     EXPECT_EQ(spec.objective[0].measure, Measure::jaccard);
     EXPECT_EQ(spec.objective[0].weight, 2);
     ASSERT_EQ(spec.events.size(), 2U);
-    const EventSpec &south = spec.events[0], &north = spec.events[1];
+    const EventSpec& south = spec.events[0];
+    const StudySpec of_south = spec.of_event(0), of_north = spec.of_event(1);
     EXPECT_EQ(south.name, "south");
     ASSERT_TRUE(south.runout);
     EXPECT_EQ(south.runout->value, 786);
@@ -82,48 +83,48 @@ void expect_two_events(const CalibrationSpec& spec) {
     EXPECT_EQ(south.speed[0].value, 12);
     EXPECT_EQ(south.depth[0].gauge, "church");
     ASSERT_EQ(south.vary.size(), 1U);
-    EXPECT_EQ(south.members.study.vary.size(), 3U);
-    EXPECT_EQ(south.members.study.vary[2].key, "release.volume");
-    EXPECT_EQ(north.members.study.vary.size(), 2U);
-    EXPECT_EQ(spec.study.vary.size(), 2U);
-    EXPECT_EQ(spec.key_count(), 3U);
+    EXPECT_EQ(of_south.vary.size(), 3U);
+    EXPECT_EQ(of_south.vary[2].key, "release.volume");
+    EXPECT_EQ(of_north.vary.size(), 2U);
+    EXPECT_EQ(spec.vary.size(), 2U);
+    EXPECT_EQ(spec.of_all_events().vary.size(), 3U);
     EXPECT_EQ(spec.first_own_key(0), 2U);
     EXPECT_EQ(spec.first_own_key(1), 3U);
     const std::vector<std::string> both{"terrain.cell-size=10", "time.end=100"},
-        of_north{"terrain.cell-size=10", "time.end=200"};
-    EXPECT_EQ(south.members.study.set, both);
-    EXPECT_EQ(north.members.study.set, of_north);
-    EXPECT_EQ(spec.study.correlate.size(), 1U);
+        other{"terrain.cell-size=10", "time.end=200"};
+    EXPECT_EQ(of_south.set, both);
+    EXPECT_EQ(of_north.set, other);
+    EXPECT_EQ(spec.correlate.size(), 1U);
 }
 
 TEST_F(ReadCalibration, EventsShareKeysAndHaveTheirOwn) {
-    const CalibrationReading reading = read(k_two_events);
+    const StudyReading reading = read(k_two_events);
     ASSERT_TRUE(reading.problems.empty()) << describe(reading.problems.list().front());
-    expect_two_events(reading.calibration);
+    expect_two_events(reading.study);
 }
 
 TEST_F(ReadCalibration, ItsTextReadsBackAsTheSame) {
-    const CalibrationReading first = read(k_two_events);
-    const std::string text = calibration_text(first.calibration);
-    const CalibrationReading again = read(text);
+    const StudyReading first = read(k_two_events);
+    const std::string text = study_text(first.study);
+    const StudyReading again = read(text);
     ASSERT_TRUE(again.problems.empty()) << describe(again.problems.list().front());
-    expect_two_events(again.calibration);
-    EXPECT_EQ(calibration_text(again.calibration), text);
+    expect_two_events(again.study);
+    EXPECT_EQ(study_text(again.study), text);
 }
 
 TEST_F(ReadCalibration, ScenesInAListAreNamedAfterTheirFiles) {
-    const CalibrationReading reading = read(
+    const StudyReading reading = read(
         "[study]\nscene = one/scene.ini, two.v2.ini\n[objective]\njaccard = 1\n[vary]\nmaterial.friction-angle = "
         "uniform(10, 30)\n");
     ASSERT_TRUE(reading.problems.empty()) << describe(reading.problems.list().front());
-    ASSERT_EQ(reading.calibration.events.size(), 2U);
-    EXPECT_EQ(reading.calibration.events[0].name, "one");
-    EXPECT_EQ(reading.calibration.events[1].name, "two_v2");
-    EXPECT_TRUE(fs::path(reading.calibration.events[1].members.study.scene).is_absolute());
+    ASSERT_EQ(reading.study.events.size(), 2U);
+    EXPECT_EQ(reading.study.events[0].name, "one");
+    EXPECT_EQ(reading.study.events[1].name, "two_v2");
+    EXPECT_TRUE(fs::path(reading.study.events[1].scene).is_absolute());
 }
 
 TEST_F(ReadCalibration, EveryProblemIsFoundOnce) {
-    const CalibrationReading reading = read(R"([study]
+    const StudyReading reading = read(R"([study]
 scene = a.ini, b.ini
 samples = 1
 refine = 100
@@ -155,7 +156,7 @@ material.turbulence = uniform(100, 200)
 key = 1
 )");
     const std::vector<Problem>& all = reading.problems.list();
-    EXPECT_EQ(all.size(), 22U);
+    EXPECT_EQ(all.size(), 21U);
     EXPECT_TRUE(has_problem(all, "study.samples", "1", "2 to 1000000"));
     EXPECT_TRUE(has_problem(all, "study.refine", "100"));
     EXPECT_TRUE(has_problem(all, "study.coarse", "2"));
@@ -174,11 +175,11 @@ key = 1
     EXPECT_TRUE(has_problem(all, "event x/y.scene", "c.ini", "letters, digits, - and _, 60 at most"));
     EXPECT_TRUE(has_problem(all, "event nowhere.runout", "4"));
     EXPECT_TRUE(has_problem(all, "vary.terrain.cell-size", "uniform(1, 2)"));
-    for (const char* place : {": vary.material.friction-angle", ": vary b.material.friction-angle"})
-        EXPECT_TRUE(has_problem(all, place, "uniform(10, 95)", "0, or 1 to 60"));
+    EXPECT_TRUE(has_problem(all, ": vary.material.friction-angle", "uniform(10, 95)", "0, or 1 to 60"));
     EXPECT_TRUE(has_problem(all, "vary b.material.turbulense", "uniform(1, 2)"));
     EXPECT_TRUE(has_problem(all, "vary b.material.friction-angle", "uniform(1, 2)")) << "given by the shared ones too";
-    EXPECT_TRUE(has_problem(all, "vary.material.turbulence", "uniform(100, 200)")) << "of an event that is not there";
+    EXPECT_TRUE(has_problem(all, "vary nobody.material.turbulence", "uniform(100, 200)"))
+        << "of an event that is not there";
     EXPECT_TRUE(has_problem(all, "more.key", "1"));
     std::vector<std::string> texts;
     for (const Problem& one : reading.problems.list()) texts.push_back(describe(one));
@@ -199,9 +200,10 @@ TEST_F(ReadCalibration, WhatIsMissingIsNamed) {
 }
 
 TEST_F(ReadCalibration, AStudyWithAnObjectiveOrAnEventIsACalibration) {
-    EXPECT_TRUE((static_cast<void>(read(k_two_events)), is_calibration(file_.string())));
+    static_cast<void>(read(k_two_events));
+    EXPECT_EQ(study_kind(file_.string()), StudyKind::calibration);
     static_cast<void>(read("[study]\nscene = a.ini\n[vary]\nmaterial.friction-angle = uniform(1, 2)\n"));
-    EXPECT_FALSE(is_calibration(file_.string()));
+    EXPECT_EQ(study_kind(file_.string()), StudyKind::ensemble);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ class ReadRegion : public ::testing::Test {
     ~ReadRegion() override { std::filesystem::remove(file_); }
     StudyReading read(const std::string& text) const {
         std::ofstream(file_) << text;
-        return read_region(file_.string());
+        return read_study(file_.string(), StudyKind::region);
     }
     std::filesystem::path file_;
 };
@@ -37,9 +37,9 @@ TEST_F(ReadRegion, ReadsBackAsWritten) {
     EXPECT_EQ(study.region->columns[1].key, "material.friction-coefficient");
     EXPECT_EQ(study.region->columns[1].column, "MU");
     EXPECT_EQ(study.region->window, 800.0);
-    const StudyReading again = read(region_text(study));
+    const StudyReading again = read(study_text(study));
     EXPECT_TRUE(again.problems.empty()) << describe(again.problems.list().front());
-    EXPECT_EQ(region_text(again.study), region_text(study));
+    EXPECT_EQ(study_text(again.study), study_text(study));
 }
 
 TEST_F(ReadRegion, EveryMistakeIsNamed) {

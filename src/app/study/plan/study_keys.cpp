@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <filesystem>
+#include <initializer_list>
+#include <map>
+#include <utility>
+
+#include "app/study/plan/read_study.h"
+#include "core/text.h"
+#include "params/grammar/value_text.h"
+#include "params/keys/declare.h"
+#include "params/keys/parameter.h"
+#include "params/keys/scene_parameters.h"
+
+namespace frana::app::study {
+namespace {
+
+using StudyKey = ParameterOf<StudySpec>;
+
+constexpr std::int64_t k_last_seed = 2'147'483'647, k_widest_window = 1'000'000;
+constexpr const char* k_table_word = "table:";
+
+/// Samplings of earlier versions, and what to use.
+constexpr std::pair<const char*, const char*> k_gone_samplings[] = {
+    {"latin-hypercube", "Write sampling = sobol: it is at least as certain with as many runs"},
+    {"grid", "Write sampling = sobol, or table:FILE.csv with the combinations as rows"},
+    {"saltelli", "Write sampling = sobol: its sensitivities need 64 runs, not thousands"}};
+
+/// The first members of a calibration are a sample, which others follow.
+StudyKey sampling_key(StudyKind kind) {
+    declare::Words<Sampling> words;
+    for (const SamplingMethod& row : k_samplings)
+        if (row.kind == SamplingMethod::Kind::sample ||
+            (row.kind == SamplingMethod::Kind::design && kind == StudyKind::ensemble))
+            words.emplace_back(row.name, row.sampling);
+    auto key = declare::option<StudySpec>("study.sampling", FRANA_MEMBER(sampling), words,
+                                          "How the values of the members are drawn.");
+    const bool has_tables = kind == StudyKind::ensemble;
+    if (has_tables) key.limits += std::string(", ") + k_table_word + "FILE.csv";
+    key.read = [has_tables, of_word = key.read](StudySpec& study,
+                                                const std::string& text) -> std::optional<ValueProblem> {
+        for (const auto& [gone, instead] : k_gone_samplings)
+            if (text == gone) return ValueProblem{"is no longer a sampling", instead};
+        if (!has_tables || !text.starts_with(k_table_word)) return of_word(study, text);
+        const std::string file = trimmed(text.substr(std::string(k_table_word).size()));
+        if (file.empty()) return ValueProblem{"names no file", "Write table:FILE.csv"};
+        study.sampling = Sampling::table;
+        study.table = file;
+        return std::nullopt;
+    };
+    key.write = [of_word = key.write](const StudySpec& study) -> std::optional<std::string> {
+        return study.sampling == Sampling::table ? k_table_word + study.table : of_word(study);
+    };
+    key.map_files = [](StudySpec& study, const FileMap& map) {
+        if (!study.table.empty()) study.table = map(study.table);
+    };
+    return key;
+}
+
+StudyKey samples_key() {
+    StudyKey samples = declare::integer<StudySpec>("study.samples", FRANA_MEMBER(samples), 2, k_most_samples,
+                                                   "Number of members; with until, and of a calibration, the most.");
+    samples.write = [write = samples.write](const StudySpec& study) {
+        return study.sampling == Sampling::table ? std::nullopt : write(study);
+    };
+    return samples;
+}
+
+/// A member of the study's region.
+template <class Member>
+auto of_region(Member member) {
+    return [member](auto& study) -> auto& {
+        if constexpr (std::is_const_v<std::remove_reference_t<decltype(study)>>) {
+            static const RegionSpec k_none;
+            return member(study.region ? *study.region : k_none);
+        } else {
+            return member(study.region ? *study.region : study.region.emplace());
+        }
+    };
+}
+
+template <class Member>
+StudyKey column_key(const char* name, Member member, const char* meaning) {
+    auto key = declare::text<StudySpec>(name, of_region(member), "text", meaning);
+    key.limits = "a column of release.perimeter";
+    return key;
+}
+
+StudyKey window_key() {
+    auto key = declare::number<StudySpec>(
+        "region.window", of_region(FRANA_MEMBER(window)), "m", NumberRange{1, static_cast<double>(k_widest_window)},
+        "Terrain of a slope: that under its energy line (auto), or so many metres round its polygon.");
+    key.limits = "auto, or metres from 1 to " + std::to_string(k_widest_window);
+    key.read = [of_number = key.read](StudySpec& study, const std::string& text) {
+        if (text != "auto") return of_number(study, text);
+        study.region->window.reset();
+        return std::optional<ValueProblem>();
+    };
+    key.write = [of_number = key.write](const StudySpec& study) { return of_number(study).value_or("auto"); };
+    return key;
+}
+
+/// The weight of a measure; what is not compared has none.
+StudyKey weight_key(const MeasureRow& row) {
+    const auto weight = [measure = row.measure](auto& study) -> auto& {
+        const auto found = std::find_if(study.objective.begin(), study.objective.end(),
+                                        [&](const Weight& one) { return one.measure == measure; });
+        if constexpr (std::is_const_v<std::remove_reference_t<decltype(study)>>) {
+            static const double k_none = 0;
+            return found == study.objective.end() ? k_none : found->weight;
+        } else {
+            return found == study.objective.end() ? study.objective.emplace_back(Weight{measure, 0}).weight
+                                                  : found->weight;
+        }
+    };
+    return declare::number<StudySpec>(std::string("objective.") + row.name, weight, "", NumberRange{0, 1e6},
+                                      row.formula);
+}
+
+std::vector<StudyKey> keys_of(StudyKind kind) {
+    using enum StudyKind;
+    const std::string section = kind == region ? "region." : "study.";
+    std::vector<StudyKey> keys;
+    const auto add = [&](std::initializer_list<StudyKind> kinds, StudyKey key) {
+        if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) keys.push_back(std::move(key));
+    };
+    StudyKey scene_file =
+        declare::text<StudySpec>(section + "scene", FRANA_MEMBER(scene), "file",
+                                 kind == region ? "The scene of every slope." : "The scene whose keys vary.");
+    scene_file.limits = "a scene file";
+    add({ensemble, region}, scene_file);
+    add({ensemble, region, calibration},
+        declare::option<StudySpec>(
+            section + "scheme", FRANA_MEMBER(scheme),
+            declare::Words<Scheme>{{"default", Scheme::standard}, {"finite-volume", Scheme::finite_volume}},
+            "Numerical scheme of all members; without it that of the scene. Two members are computed "
+            "again by the other one."));
+    add({ensemble, calibration}, samples_key());
+    add({ensemble, calibration}, sampling_key(kind));
+    add({ensemble, calibration}, declare::integer<StudySpec>("study.seed", FRANA_MEMBER(seed), 0, k_last_seed,
+                                                             "The same seed gives the same members."));
+    add({ensemble}, declare::text<StudySpec>("study.rare-place", FRANA_MEMBER(rare_place), "text",
+                                             "A gauge of the scene (output.gauges): with sampling = importance most "
+                                             "members are drawn near what makes the flow come there."));
+    add({ensemble}, declare::number<StudySpec>("study.until", FRANA_MEMBER(until), "", NumberRange{0, 0.5, true, true},
+                                               "Standard error of the probabilities, anywhere on the map, below which "
+                                               "no more members are run."));
+    add({ensemble, region}, declare::option<StudySpec>(section + "keep", FRANA_MEMBER(keep),
+                                                       declare::Words<Keep>{{name_of(Keep::none), Keep::none},
+                                                                            {name_of(Keep::failed), Keep::failed},
+                                                                            {name_of(Keep::all), Keep::all}},
+                                                       "Members whose scene and maps are written to members/."));
+    add({region}, column_key("region.name", FRANA_MEMBER(name), "What each slope is called."));
+    add({region},
+        column_key("region.group", FRANA_MEMBER(group), "What each slope belongs to: a catchment, a commune."));
+    add({region}, column_key("region.scenario", FRANA_MEMBER(scenario),
+                             "Which of several events each polygon is; each has maps of its own."));
+    add({region}, column_key("region.return-period", FRANA_MEMBER(return_period),
+                             "Return period in years, for the degree of hazard."));
+    add({region}, window_key());
+    add({calibration},
+        declare::number<StudySpec>("objective.exponent", FRANA_MEMBER(exponent), "", NumberRange{0.1, 1000},
+                                   "N of the likelihood (misfit)^-N of an event whose survey has no stated error: the "
+                                   "number of independent pieces of information in it."));
+    for (const MeasureRow& row : k_measures) add({calibration}, weight_key(row));
+    return keys;
+}
+
+}  // namespace
+
+const std::vector<StudyKey>& study_keys(StudyKind kind) {
+    static const std::map<StudyKind, std::vector<StudyKey>> k_keys{
+        {StudyKind::ensemble, keys_of(StudyKind::ensemble)},
+        {StudyKind::region, keys_of(StudyKind::region)},
+        {StudyKind::calibration, keys_of(StudyKind::calibration)}};
+    return k_keys.at(kind);
+}
+
+// Paths in a study file: absolute where it is used, relative where it is echoed.
+
+namespace {
+
+std::string with_mapped_paths(const Parameter& parameter, const std::string& value, const FileMap& map) {
+    SceneSpec scene;
+    if (!parameter.map_files || parameter.read(scene, value)) return value;
+    parameter.map_files(scene, map);
+    return parameter.write(scene).value_or(value);
+}
+
+void map_keys(std::vector<std::string>& set, std::vector<Variation>& vary, const KeyedFileMap& map) {
+    for (std::string& one : set) {
+        const auto equals = one.find('=');
+        const std::string key = one.substr(0, equals);
+        one = key + "=" + with_files(key, one.substr(equals + 1), map);
+    }
+    for (Variation& one : vary)
+        for (std::string& value : one.distribution.values) value = with_files(one.key, value, map);
+}
+
+}  // namespace
+
+std::string with_absolute_paths(const Parameter& parameter, const std::string& value, const std::string& folder) {
+    return with_mapped_paths(parameter, value, [&](const std::string& path) { return absolute_path(path, folder); });
+}
+
+std::string with_files(const std::string& key, const std::string& value, const KeyedFileMap& map) {
+    // A folder is where something is written, no input.
+    static const std::vector<Parameter>& k_keys = scene_parameters();
+    const Parameter* const parameter = find_parameter(k_keys, key);
+    if (parameter == nullptr || !parameter->reads_files()) return value;
+    return with_mapped_paths(*parameter, value, [&](const std::string& path) { return map(key, path); });
+}
+
+StudySpec with_files(StudySpec study, const KeyedFileMap& map) {
+    for (const StudyKey& key : study_keys(study.kind))
+        if (key.map_files) key.map_files(study, [&](const std::string& path) { return map(key.name(), path); });
+    map_keys(study.set, study.vary, map);
+    for (EventSpec& event : study.events) {
+        event.scene = map("study.scene", event.scene);
+        map_keys(event.set, event.vary, map);
+    }
+    return study;
+}
+
+std::string without_folder(const std::string&, const std::string& path) {
+    return std::filesystem::path(path).filename().string();
+}
+
+StudySpec seen_from(StudySpec study, const std::string& folder) {
+    return with_files(std::move(study),
+                      [&](const std::string&, const std::string& path) { return relative_path(path, folder); });
+}
+
+// A study as the text of a file.
+
+namespace {
+
+/// The keys of one kind as lines of a file, each after its meaning and its limits; without a value commented out.
+std::string keys_text(const StudySpec& study) {
+    std::string text, section;
+    for (const StudyKey& key : study_keys(study.kind)) {
+        if (key.section != section) text += "\n[" + (section = key.section) + "]\n";
+        const auto value = key.write(study);
+        text += "# " + key.meaning + (key.limits.empty() ? "" : " Values: " + key.limits + ".") + "\n" +
+                (value ? "" : "# ") + key.key + " =" + (value ? " " + *value : "") + "\n";
+    }
+    return text;
+}
+
+std::string quoted_if_needed(const std::string& value) {
+    return value.find_first_of(",:\"") == std::string::npos ? value : '"' + value + '"';
+}
+
+std::string text_of(const Distribution& distribution) {
+    if (distribution.law != Law::choice) return distribution.text;
+    std::string text;
+    for (std::size_t i = 0; i < distribution.values.size(); ++i)
+        text += (i == 0 ? "choice(" : ", ") + quoted_if_needed(distribution.values[i]) + ": " +
+                shortest_text(distribution.weights[i]);
+    return text + ")";
+}
+
+/// The sections [set] and [vary], of all or of one event (" NAME").
+std::string values_text(const std::string& of, const std::vector<std::string>& set,
+                        const std::vector<Variation>& vary) {
+    std::string text = set.empty() ? "" : "\n[set" + of + "]\n";
+    for (const std::string& one : set)
+        text += one.substr(0, one.find('=')) + " = " + one.substr(one.find('=') + 1) + "\n";
+    if (!vary.empty()) text += "\n[vary" + of + "]\n";
+    for (const Variation& one : vary) text += one.key + " = " + text_of(one.distribution) + "\n";
+    return text;
+}
+
+std::string event_text(const EventSpec& event) {
+    std::string text = "\n[event " + event.name + "]\nscene = " + event.scene + "\n";
+    const auto value = [](const GaugeValue& one) {
+        return shortest_text(one.value) + (one.error > 0 ? " +- " + shortest_text(one.error) : "") + "\n";
+    };
+    if (event.runout) text += "runout = " + value(*event.runout);
+    for (const GaugeKind& kind : k_gauge_kinds)
+        for (const GaugeValue& one : event.*(kind.values))
+            text += std::string(kind.word) + " " + one.gauge + " = " + value(one);
+    return text + values_text(" " + event.name, event.set, event.vary);
+}
+
+}  // namespace
+
+std::string study_text(const StudySpec& study) {
+    constexpr const char* k_heads[] = {"# A study as used; `frana ensemble` on this file repeats it.\n",
+                                       "# A region as used; `frana batch` on this file repeats it.\n",
+                                       "# A calibration as used; `frana calibrate` on this file repeats it.\n"};
+    std::string text =
+        k_heads[static_cast<std::size_t>(study.kind)] + keys_text(study) + values_text("", study.set, study.vary);
+    if (study.region && !study.region->columns.empty()) text += "\n[columns]\n";
+    if (study.region)
+        for (const RegionSpec::Column& one : study.region->columns) text += one.key + " = " + one.column + "\n";
+    if (!study.correlate.empty()) text += "\n[correlate]\n";
+    for (const Correlation& one : study.correlate)
+        text += one.first + " " + one.second + " = " + shortest_text(one.rho) + "\n";
+    for (const EventSpec& event : study.events) text += event_text(event);
+    return text;
+}
+
+}  // namespace frana::app::study
