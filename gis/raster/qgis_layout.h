@@ -18,7 +18,7 @@ struct ProjectLayout {
     std::vector<std::string> layers;  ///< titles of the project's layers that it shows, the uppermost first
     std::vector<std::string> legend;  ///< what the legend calls each; empty: not in it
     std::string notes;                ///< values, in lines
-    std::string title_block;          ///< organisation, author, date, in lines
+    std::string title_block;          ///< author, date, in lines
     std::string logo{};               ///< file of a picture
     std::string sources;              ///< at the foot
 };

@@ -241,13 +241,8 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
                            const LayerChoice& choice) {
     const GdalSession session;
     const ReadingOnly reading;
-    VectorSource source = vector_source(path, where);
+    const VectorSource source = vector_source(path, where);
     TimeLimit limit(source.where);
-    if (!choice.name.empty() && !source.layer.empty() && source.layer != choice.name) {
-        throw vector_error(source, "two layers are named", source.layer + ", " + choice.name,
-                           "Keep \"|layer=\" in the path or the key, not both");
-    }
-    if (!choice.name.empty()) source.layer = choice.name;
     const GDALDatasetUniquePtr dataset = open_vector(source);
     OGRLayer& layer = choose_layer(*dataset, source, may_contain_areas, "areas");
     check_attribute_table(*dataset, layer, source);

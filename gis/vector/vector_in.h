@@ -29,13 +29,12 @@ struct PolygonLayer {
 
 /// Options for reading a vector file; an empty text leaves the choice to the file.
 struct LayerChoice {
-    std::string name;    ///< of the layer; empty: the only one with areas
     std::string filter;  ///< SQL condition on the attributes ("kind = 'release'")
     std::string crs;     ///< WKT, replaces that of the file
     bool keep_unusable =
         false;  ///< features that are no area stay in their place, without parts; else they are refused
 
-    [[nodiscard]] auto members() const { return std::tie(name, filter, crs, keep_unusable); }
+    [[nodiscard]] auto members() const { return std::tie(filter, crs, keep_unusable); }
 };
 
 /// Returns every polygon of a vector layer in the target CRS (empty: coordinates unchanged). `path` may name a layer:

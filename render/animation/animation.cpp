@@ -89,7 +89,6 @@ class ViewAnimator::Session {
         check_values(dots, session_.scale());
         return session_.draw(nullptr, &dots, subtitle).paint();
     }
-    void fly(double fraction) { session_.fly(fraction); }
 
   private:
     std::shared_ptr<ViewPlace> place_;
@@ -100,10 +99,6 @@ ViewAnimator::ViewAnimator(const ViewSpec& base) : session_(std::make_unique<Ses
 ViewAnimator::~ViewAnimator() = default;
 ViewAnimator::ViewAnimator(ViewAnimator&&) noexcept = default;
 ViewAnimator& ViewAnimator::operator=(ViewAnimator&&) noexcept = default;
-
-void ViewAnimator::fly(double fraction) {
-    session_->fly(fraction);
-}
 
 Image ViewAnimator::frame(const Raster& layer, const std::string& subtitle) {
     return session_->frame(layer, subtitle);

@@ -46,10 +46,6 @@ class ViewAnimator {
     Image frame(const Raster& layer, const std::string& subtitle);
     Image frame(const Dots& dots, const std::string& subtitle);
 
-    /// Lets the camera fly: in each further frame it is above the flow's front, close to the ground and turned by how
-    /// much of the flight is over, from its beginning (0) to its end (1).
-    void fly(double fraction);
-
   private:
     class Session;
     std::unique_ptr<Session> session_;

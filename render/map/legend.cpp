@@ -13,7 +13,6 @@ namespace frana::render {
 namespace {
 
 constexpr int k_usual_classes = 8;  // more cannot be distinguished in a legend
-constexpr int k_slices = 24;        // between two bounds: steps of less than one part in 150 of the whole scale
 constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
 /// Whether equal classes would put half of all values into the lowest one.
@@ -98,9 +97,7 @@ ColourScale::ColourScale(const ScaleRequest& request) : words_(request.words) {
     const bool beyond = unseen && range.empty();
     const bool open_below = fixed_open_below || range.least < bounds.front() || (unseen && bounds.front() > 0);
     const bool open_above = fixed_open || range.greatest > bounds.back() || beyond;
-    bounds_ = bounds;
-    if (request.continuous) slices_ = k_slices;
-    set_bounds(open_below, open_above, palette(request.palette));
+    set_bounds(bounds, open_below, open_above, palette(request.palette));
 }
 
 void ColourScale::set_categories(const std::vector<ClassLabel>& categories) {
@@ -114,19 +111,14 @@ std::string ColourScale::number_of(double bound) const {
     return words_.number(number(bound));
 }
 
-void ColourScale::set_bounds(bool open_below, bool open_above, const Palette& palette) {
-    const double first = bounds_.front(), end = bounds_.back();
+void ColourScale::set_bounds(const std::vector<double>& bounds, bool open_below, bool open_above,
+                             const Palette& palette) {
+    const double first = bounds.front(), end = bounds.back();
     const char* const to = first < 0 ? " \u2026 " : " \u2013 ";  // a dash beside a minus is hard to read
     if (open_below) classes_.push_back({-k_infinity, first, "< " + number_of(first), {}});
-    for (std::size_t i = 0; i + 1 < bounds_.size(); ++i) {
-        const double lower = bounds_[i], upper = bounds_[i + 1];
-        if (slices_ == 1) {
-            classes_.push_back({lower, upper, number_of(lower) + to + number_of(upper), {}});
-            continue;
-        }
-        const double thick = (upper - lower) / slices_;
-        for (int k = 0; k < slices_; ++k)
-            classes_.push_back({lower + k * thick, k + 1 == slices_ ? upper : lower + (k + 1) * thick, "", {}});
+    for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
+        const double lower = bounds[i], upper = bounds[i + 1];
+        classes_.push_back({lower, upper, number_of(lower) + to + number_of(upper), {}});
     }
     if (open_above) classes_.push_back({end, k_infinity, "> " + number_of(end), {}});
     const auto last = static_cast<double>(std::max<std::size_t>(classes_.size() - 1, 1));
@@ -238,39 +230,6 @@ std::string full_title(const LegendContent& content) {
     return content.unit.empty() ? content.title : content.title + " [" + content.unit + "]";
 }
 
-/// Draws continuous colours, each bound of the scale marked and numbered; open ends are half a swatch high. Returns the
-/// y below them.
-double draw_ramp(const ColourScale& scale, const PageStyle& style, Point corner, Sheet& sheet,
-                 std::vector<LegendEntry>& entries) {
-    const std::vector<ColourClass>& classes = scale.classes();
-    const BoxSize size = swatch(style);
-    PageBox box{corner.x, corner.y, corner.x + size.width, corner.y};
-    const auto mark = [&](double value, const char* sign) {
-        const double y = box.bottom;
-        const std::array<Point, 2> tick{{{box.right, y}, {box.right + style.length(6), y}}};
-        sheet.line(tick, {style.line(1), k_ink});
-        sheet.text(sign + scale.number_of(value), {corner.x + text_offset(style), y}, style.label, Across::left,
-                   Upright::middle);
-    };
-    int bounded = 0;
-    box.bottom += std::isinf(classes.back().upper) ? 0 : size.height / 2;
-    const double top = box.bottom;
-    for (auto one = classes.rbegin(); one != classes.rend(); ++one) {
-        const bool open = std::isinf(one->lower) || std::isinf(one->upper);
-        if (!std::isinf(one->upper) && (open || bounded++ % scale.slices() == 0)) {
-            const bool greatest = std::isinf(classes.back().upper) && bounded == 1;
-            mark(one->upper, open ? "< " : greatest ? "> " : "");
-        }
-        box.top = box.bottom;
-        box.bottom += open ? size.height / 2 : size.height / scale.slices();
-        sheet.fill(box, one->colour);
-        entries.push_back({one->label, one->colour, box, one->lower, one->upper});
-    }
-    if (!std::isinf(classes.front().lower)) mark(classes.front().lower, "");
-    sheet.frame({box.left, top, box.right, box.bottom}, {style.line(1), k_ink});
-    return box.bottom + size.height / 2;
-}
-
 }  // namespace
 
 std::vector<double> outline_dashes(const Outline& outline, double width_px) {
@@ -281,13 +240,8 @@ std::vector<double> outline_dashes(const Outline& outline, double width_px) {
 double legend_width(const LegendContent& content, const PageStyle& style, const Sheet& sheet, double most) {
     const Lettering& lettering = sheet.lettering();
     double width = 0;
-    for (const double bound : content.scale->bounds())
-        width =
-            std::max(width, text_offset(style) + lettering.width("> " + content.scale->number_of(bound), style.label));
-    for (const ColourClass& one : content.scale->classes()) {
-        if (content.scale->slices() > 1) break;
+    for (const ColourClass& one : content.scale->classes())
         width = std::max(width, text_offset(style) + lettering.width(one.label, style.label));
-    }
     for (const Outline& outline : *content.outlines) {
         width = std::max(width, text_offset(style) + lettering.width(outline.label, style.label));
     }
@@ -320,10 +274,6 @@ double draw_legend(const LegendContent& content, const PageStyle& style, Point c
         std::vector<const ColourClass*> order;
         for (const ColourClass& one : classes) order.push_back(&one);
         if (!apart) std::reverse(order.begin(), order.end());
-        if (content.scale->slices() > 1) {
-            order.clear();
-            y = draw_ramp(*content.scale, style, {corner.x, y}, sheet, entries);
-        }
         for (const ColourClass* one : order) {
             const PageBox box{corner.x, y, corner.x + size.width, y + size.height};
             sheet.fill(box, one->colour);

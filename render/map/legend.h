@@ -35,7 +35,6 @@ struct ScaleRequest {
     std::string palette;
     std::optional<double> maximum;
     std::vector<double> classes;
-    bool continuous = false;
     std::vector<ClassLabel> categories;
     const Raster* layer = nullptr;
     bool for_unseen_values = false;  ///< others follow, none over `layer`'s greatest value, if it has any
@@ -56,19 +55,13 @@ class ColourScale {
     [[nodiscard]] bool categorical() const noexcept { return categorical_; }
     /// A bound as the legend writes it.
     [[nodiscard]] std::string number_of(double bound) const;
-    /// The bounds numbered in a legend; none for categories.
-    [[nodiscard]] const std::vector<double>& bounds() const noexcept { return bounds_; }
-    /// For a continuous scale: number of classes, too fine to be distinguished, between two bounds; else 1.
-    [[nodiscard]] int slices() const noexcept { return slices_; }
 
   private:
     void set_categories(const std::vector<ClassLabel>& categories);
-    void set_bounds(bool open_below, bool open_above, const Palette& palette);
+    void set_bounds(const std::vector<double>& bounds, bool open_below, bool open_above, const Palette& palette);
 
     std::vector<ColourClass> classes_;
     bool categorical_ = false;
-    std::vector<double> bounds_;
-    int slices_ = 1;
     Words words_;
 };
 

@@ -73,7 +73,7 @@ struct Print {
 /// Who made a map, and when: in the corner above its legend.
 struct TitleBlock {
     std::shared_ptr<const Image> logo;  ///< null: none
-    std::vector<std::string> lines;     ///< organisation, author, date
+    std::vector<std::string> lines;     ///< author, date
 };
 
 /// What all maps of a series share. The frame leaves room for the other texts of any of them, so that it is the same on
@@ -102,7 +102,6 @@ struct MapSpec {
     std::string palette = "depth";       ///< name of a palette in core/colour.h
     std::optional<double> maximum;       ///< end of the colour scale; values above it get a separate open class
     std::vector<double> classes;         ///< rising bounds, first and last may be infinite; empty: up to the maximum
-    bool continuous = false;             ///< colours are continuous between the bounds
     std::vector<ClassLabel> categories;  ///< not empty: the raster's values are classes, exactly these
     std::vector<Outline> outlines;
     std::vector<std::string> side_notes;  ///< lines of values beside the map, below the legend

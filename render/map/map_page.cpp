@@ -139,7 +139,6 @@ ColourScale usual_scale() {
     return ColourScale({"depth",
                         std::nullopt,
                         {0, 0.2, 0.5, 1, 2, 5, 10, 20, 50, std::numeric_limits<double>::infinity()},
-                        false,
                         {},
                         nullptr,
                         false});
@@ -348,8 +347,8 @@ MapPage::MapPage(const MapSpec& spec, bool for_frames, std::shared_ptr<const Map
     const bool has_values = (spec.layer != nullptr && data_bounds(*spec.layer).has_value()) ||
                             (spec.dots != nullptr && !spec.dots->dots.empty());
     if (has_values || for_frames) {
-        scale_ = ColourScale({spec.palette, spec.maximum, spec.classes, spec.continuous, spec.categories, spec.layer,
-                              for_frames, spec.words});
+        scale_ = ColourScale(
+            {spec.palette, spec.maximum, spec.classes, spec.categories, spec.layer, for_frames, spec.words});
     }
     arrange(spec, for_frames, ground);
 }

@@ -32,7 +32,6 @@ struct ViewSpec {
     std::string palette = "depth";
     std::optional<double> maximum;
     std::vector<double> classes;
-    bool continuous = false;
     std::vector<ClassLabel> categories;
     const Raster* terrain = nullptr;  ///< required
     const Raster* layer = nullptr;    ///< draped over it; may be absent

@@ -194,16 +194,14 @@ std::shared_ptr<ViewPlace> place_for(const ViewSpec& spec, std::shared_ptr<ViewP
 class ViewSession::Scene {
   public:
     Scene(const ViewSpec& spec, bool for_frames, std::shared_ptr<ViewPlace>& place)
-        : spec_(checked(spec)),
-          for_frames_(for_frames),
-          place_(place_for(spec, place)),
+        : place_(place_for(checked(spec), place)),
           ground_(place_->ground),
           raise_by_value_(spec.thickness != nullptr && spec.thickness == spec.layer) {
         const bool has_values = (spec.layer != nullptr && data_bounds(*spec.layer).has_value()) ||
                                 (spec.dots != nullptr && !spec.dots->dots.empty());
         if (has_values || for_frames) {
-            scale_ = ColourScale({spec.palette, spec.maximum, spec.classes, spec.continuous, spec.categories,
-                                  spec.layer, for_frames, spec.words});
+            scale_ = ColourScale(
+                {spec.palette, spec.maximum, spec.classes, spec.categories, spec.layer, for_frames, spec.words});
         }
         flow_ = ground_.sample(extent_of(spec), k_sample);
         const std::vector<ScenePoint>& flow = flow_;
@@ -226,7 +224,6 @@ class ViewSession::Scene {
         scene_->set_sky(spec.sky);
         metres_per_pixel_ = pixel_in_the_middle(camera);
         add_outlines(spec);
-        first_camera_ = layout_.camera;
     }
 
     // From behind a slope or below it a given camera would show the ground from below: raises it until half of the flow
@@ -243,10 +240,7 @@ class ViewSession::Scene {
         }
     }
 
-    void fly(double fraction) { along_ = std::clamp(fraction, 0.0, 1.0); }
-
     Page draw(const Raster* layer, const Dots* dots, const std::string& subtitle) {
-        if (along_) follow(*along_, layer, dots);
         if (dots != nullptr) put_dots(*dots);
         scene_->set_colours(ground_.colours(layer, scale_));
         if (raise_by_value_) scene_->set_thickness(layer);
@@ -331,39 +325,6 @@ class ViewSession::Scene {
         const double away =
             std::hypot(middle.x - camera.position.x, middle.y - camera.position.y, middle.z - camera.position.z);
         return 2 * away * std::tan(camera.opening_deg / 2 * std::numbers::pi / 180) / layout_.picture.height();
-    }
-
-    /// Returns the lowest height that a frame has reached; that of the flow's top if it has nothing.
-    [[nodiscard]] double front_of(const Raster* layer, const Dots* dots) const {
-        std::vector<double> heights;
-        if (dots != nullptr) {
-            for (const Dot& dot : dots->dots) heights.push_back(ground_.scene(dot.place, 0).z);
-        } else if (layer != nullptr && data_bounds(*layer)) {
-            for (const ScenePoint& point : ground_.sample(layer, k_sample)) heights.push_back(point.z);
-        }
-        std::erase_if(heights, [](double z) { return std::isnan(z); });
-        return heights.empty() ? HUGE_VAL : *std::min_element(heights.begin(), heights.end());
-    }
-
-    /// Moves the camera to where a part of the path that ends a little below the front fills the picture, turned by how
-    /// much of the flight is over. It does not go back where the front gets too thin to be shown.
-    void follow(double along, const Raster* layer, const Dots* dots) {
-        front_ = std::min(front_, front_of(layer, dots));
-        std::sort(flow_.begin(), flow_.end(), [](const ScenePoint& a, const ScenePoint& b) { return a.z > b.z; });
-        constexpr double k_visible = 0.4, k_ahead = 0.08;  // fractions of the flow: visible at once, below the front
-        constexpr double k_turn_deg = 70;
-        const double count = static_cast<double>(flow_.size());
-        const auto passed = std::partition_point(flow_.begin(), flow_.end(),
-                                                 [&](const ScenePoint& point) { return point.z >= front_; });
-        const double end =
-            std::clamp(static_cast<double>(passed - flow_.begin()) + k_ahead * count, k_visible * count, count);
-        const std::vector<ScenePoint> visible(flow_.begin() + static_cast<std::ptrdiff_t>(end - k_visible * count),
-                                              flow_.begin() + static_cast<std::ptrdiff_t>(std::ceil(end)));
-        layout_.camera = first_camera_;
-        layout_.camera.azimuth_deg = std::fmod(first_camera_.azimuth_deg + k_turn_deg * (along - 0.5) + 360, 360);
-        arrange(spec_, for_frames_, false);
-        const PageBox& picture = layout_.picture;
-        scene_->set_camera(place_camera(layout_.camera, visible, picture.width() / picture.height()));
     }
 
     void note_flow(const std::vector<ScenePoint>& flow, const PlacedCamera& camera) {
@@ -452,16 +413,11 @@ class ViewSession::Scene {
 
     static constexpr std::int64_t k_sample = 4000;  // points of a flow
 
-    ViewSpec spec_;  // its rasters are not used after the construction
-    bool for_frames_;
     ColourScale scale_;
     std::shared_ptr<ViewPlace> place_;
     const ViewGround& ground_;
     std::vector<ScenePoint> flow_;  // some points of it
     double metres_per_pixel_ = 1;   // in the middle of the flow
-    Camera first_camera_;
-    std::optional<double> along_;  // a flight
-    double front_ = HUGE_VAL;      // of it: the lowest height that a frame has reached
     ViewLayout layout_;
     Overlay above_;
     Point subtitle_at_;
@@ -478,10 +434,6 @@ ViewPlace::ViewPlace(const ViewSpec& spec)
 ViewSession::ViewSession(const ViewSpec& spec, bool for_frames, std::shared_ptr<ViewPlace>& place)
     : scene_(std::make_unique<Scene>(spec, for_frames, place)) {}
 ViewSession::~ViewSession() = default;
-
-void ViewSession::fly(double fraction) {
-    scene_->fly(fraction);
-}
 
 Page ViewSession::draw(const Raster* layer, const Dots* dots, const std::string& subtitle) {
     return scene_->draw(layer, dots, subtitle);

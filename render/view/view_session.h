@@ -64,9 +64,6 @@ class ViewSession {
     /// frames.
     [[nodiscard]] Page draw(const Raster* layer, const Dots* dots, const std::string& subtitle);
 
-    /// See ViewAnimator::fly; the spec's texts must still exist.
-    void fly(double fraction);
-
     [[nodiscard]] const ViewLayout& layout() const noexcept;
     [[nodiscard]] const ColourScale& scale() const noexcept;
 

@@ -12,7 +12,6 @@ namespace {
 
 // Greens, so that an intensity is not mistaken for a hazard level (red, blue, yellow), which also depends on the
 // frequency.
-constexpr Rgb k_light{186, 228, 179}, k_dark{0, 68, 27};
 
 constexpr std::array<HazardQuantityRow, 6> k_quantities{{
     {"depth", "m", worded("depth"), "m"},
@@ -98,39 +97,6 @@ void write_thresholds(HazardScheme& scheme) {
         classes[i].thresholds =
             own.empty() && i + 1 < classes.size() ? text_of(classes[i + 1].condition, false) : text_of(own);
     }
-}
-
-HazardScheme custom_scheme(const HazardLimits& limits) {
-    HazardScheme scheme{.name = "custom", .called = worded("own limits"), .source = worded("limits of the scene")};
-    const std::array<std::pair<HazardQuantity, const std::vector<double>*>, 4> lists{
-        {{HazardQuantity::depth, &limits.depth},
-         {HazardQuantity::velocity, &limits.velocity},
-         {HazardQuantity::flux, &limits.flux},
-         {HazardQuantity::pressure, &limits.pressure}}};
-    std::size_t most = 0, given = 0;
-    for (const auto& [quantity, list] : lists) {
-        most = std::max(most, list->size());
-        given += list->empty() ? 0 : 1;
-    }
-    const Palette greens{"", {k_light, k_dark}};
-    for (std::size_t i = 0; i <= most; ++i) {
-        HazardClass kind{
-            .value = static_cast<int>(i) + 1,
-            .colour = colour_at(greens, most == 0 ? 0 : static_cast<double>(i) / static_cast<double>(most))};
-        for (const auto& [quantity, list] : lists)
-            if (i > 0 && list->size() >= i) kind.condition.push_back({{quantity, (*list)[i - 1]}});
-        scheme.classes.push_back(std::move(kind));
-    }
-    write_thresholds(scheme);
-    for (std::size_t i = 1; given == 1 && i < most; ++i) {  // of one quantity its range
-        const HazardLimit &lower = scheme.classes[i].condition[0][0], &upper = scheme.classes[i + 1].condition[0][0];
-        const HazardQuantityRow& row = row_of(lower.quantity);
-        scheme.classes[i].thresholds = std::string(row.words) + " " + shortest_text(lower.limit) + " \u2013 " +
-                                       shortest_text(upper.limit) + " " + row.sign;
-    }
-    for (HazardClass& kind : scheme.classes) kind.name = kind.thresholds;
-    if (most + 1 == k_intensities) scheme.matrices = {{"", "Canton of Bern, all processes together"}};
-    return scheme;
 }
 
 bool HazardScheme::has_depths() const {

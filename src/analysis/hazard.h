@@ -53,22 +53,16 @@ bool follows(const HazardCondition& condition, const HazardCondition& from);
 /// hold, "depth \u2264 1 m or speed \u2264 1 m/s".
 std::string text_of(const HazardCondition& condition, bool holds = true);
 
-/// Rising limits of a custom scheme: the class of a cell is one more than the number of limits that the quantity
-/// exceeds, the highest over the quantities that have limits.
-struct HazardLimits {
-    std::vector<double> depth, velocity, flux, pressure;
-};
-
 struct HazardClass {
     int value = 0;             ///< 1: the lowest
-    std::string name{};        ///< "High intensity"; of scheme custom the thresholds
+    std::string name{};        ///< "High intensity"
     std::string thresholds{};  ///< "depth > 1 m and speed > 1 m/s"
     Rgb colour{};
     bool hatched = false;         ///< in areas, with white between
     HazardCondition condition{};  ///< of a scheme; that of the lowest class may be empty
 
     /// "High intensity: depth > 1 m and speed > 1 m/s"
-    [[nodiscard]] std::string label() const { return name == thresholds ? name : name + ": " + thresholds; }
+    [[nodiscard]] std::string label() const { return name + ": " + thresholds; }
 };
 
 inline constexpr const char* k_intensity_title = "Intensity";  // worded
@@ -134,15 +128,12 @@ struct HazardScheme {
     /// "Classes by depth: depth > 0.1 m"; of a scheme without depths none.
     [[nodiscard]] std::vector<std::string> minimum_labels() const;
     [[nodiscard]] bool uses(HazardQuantity quantity) const;
-    /// Whether words of the source were read; of a scene's own limits the scene is the source.
+    /// Whether words of the source were read.
     [[nodiscard]] bool is_source_read() const { return source != k_source_not_read; }
     /// Returns the matrix of a process, of the only one if none is named; null: there is none, or the process must be.
     [[nodiscard]] const ProcessMatrix* matrix_of(const std::optional<std::string>& process) const;
     [[nodiscard]] bool has_zones() const { return heading != k_intensity_title; }
 };
-
-/// Returns the scheme of a scene's own limits.
-HazardScheme custom_scheme(const HazardLimits& limits);
 
 /// Sets what people read of the classes' conditions.
 void write_thresholds(HazardScheme& scheme);

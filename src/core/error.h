@@ -44,12 +44,12 @@ enum class ErrorKind {
 /// Where a problem is, for people and, in parts, for programs.
 struct Place {
     Place() = default;
-    /// A file.
-    Place(std::string path) : text(path), file(std::move(path)) {}  // NOLINT(google-explicit-constructor)
-    /// An option, "--threads", or words: "command line".
-    Place(const char* words) : text(words) {  // NOLINT(google-explicit-constructor)
-        if (text.starts_with("--")) option = text.substr(0, text.find(' '));
+    /// A file, or an option: "--threads".
+    Place(std::string words) : text(std::move(words)) {  // NOLINT(google-explicit-constructor)
+        text.starts_with("--") ? option = text.substr(0, text.find(' ')) : file = text;
     }
+    /// An option, or words: "command line".
+    Place(const char* words) : Place(std::string(words)) { file.clear(); }  // NOLINT(google-explicit-constructor)
     /// A key in a file.
     Place(const std::string& in_file, const std::string& of_key)
         : text(in_file + ": " + of_key), file(in_file), key(of_key) {}

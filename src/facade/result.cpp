@@ -111,7 +111,7 @@ std::shared_ptr<const Result::Data> result_data(RunResult result, const EngineSc
     data->summary = summary_of(result, prepared, trace, data->warnings);
     data->result = std::move(result);
     // Read of the caller's memory while that is as it was; of a large map only where the flow came.
-    const CellValues& bed = data->result.raster("bed").values;
+    const CellValues& bed = data->result.raster(RasterName::bed).values;
     if (static_cast<std::int64_t>(bed.size()) <= CellValues::k_most_dense) static_cast<void>(bed.dense());
     return data;
 }
@@ -197,11 +197,12 @@ std::vector<std::string> Result::notes() const {
 
 std::vector<Exposure> Result::exposure(const std::vector<Exposed>& features) const {
     const RunResult& result = data_->result;
-    const frana::Raster& bed = result.raster("bed");
+    const frana::Raster& bed = result.raster(RasterName::bed);
     const bool is_known = static_cast<std::int64_t>(bed.values.size()) <= CellValues::k_most_dense;
     const ReachedPlaces reached(result);
-    const ExposureRasters rasters{&reached("max_depth"), &reached("max_velocity"), &reached("max_pressure"),
-                                  &reached("arrival_time"), is_known ? &bed : nullptr};
+    const ExposureRasters rasters{&reached(RasterName::max_depth), &reached(RasterName::max_velocity),
+                                  &reached(RasterName::max_pressure), &reached(RasterName::arrival_time),
+                                  is_known ? &bed : nullptr};
     std::vector<Exposure> all;
     for (const Exposed& feature : features) {
         MixedShape shape{area_of(feature.areas), {}, {}};

@@ -10,6 +10,7 @@
 #include "mpm/shape.h"
 #include "mpm/shown_depth.h"
 #include "mpm/update_nodes.h"
+#include "params/keys/result_rasters.h"
 #include "physics/friction_coulomb.h"
 #include "simulation/dispatch.h"
 #include "simulation/release.h"
@@ -363,12 +364,12 @@ std::vector<NamedRaster> Flow::low_flights() const {
         flux.values[cell] = deep * speed;
         head.values[cell] = deep + speed * speed / (2 * laws_.gravity);
     });
-    return {{"max_depth", depth},
-            {"max_velocity", velocity},
-            {"max_flux", flux},
-            {"max_head", head},
-            {"max_pressure", max_pressure(velocity)},
-            {"arrival_time", to_raster(low.arrival_plus_1, 1)}};
+    return {{RasterName::max_depth, depth},
+            {RasterName::max_velocity, velocity},
+            {RasterName::max_flux, flux},
+            {RasterName::max_head, head},
+            {RasterName::max_pressure, max_pressure(velocity)},
+            {RasterName::arrival_time, to_raster(low.arrival_plus_1, 1)}};
 }
 
 void Flow::states(std::span<const std::size_t> nodes, NodeState* states) const {
@@ -400,7 +401,7 @@ void Flow::add_to(RunResult& result) const {
                         jumps.way / jumps.volume,
                         grid_.map_from_local(jumps.from),
                         grid_.map_from_local(jumps.to)};
-        result.add("jump_height", jump_height());
+        result.add(RasterName::jump_height, jump_height());
         result.low_flights = low_flights();
     }
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mpm/node_grid.h"
+#include "params/keys/result_rasters.h"
 
 namespace frana {
 namespace {
@@ -16,8 +17,9 @@ struct Peak {
     double (*least)(double max_depth);  ///< in a cell that was reached, also without motion
 };
 constexpr Peak k_peaks[] = {
-    {"max_flux", [](const NodeState& state, double) { return state.depth * state.speed; }, [](double) { return 0.0; }},
-    {"max_head",
+    {RasterName::max_flux, [](const NodeState& state, double) { return state.depth * state.speed; },
+     [](double) { return 0.0; }},
+    {RasterName::max_head,
      [](const NodeState& state, double gravity) { return state.depth + state.speed * state.speed / (2 * gravity); },
      [](double max_depth) { return max_depth; }}};
 
@@ -144,7 +146,7 @@ void Recorder::move_to(const Model& model, RunResult& result) {
     if (!intensity_) return;
     for (std::size_t k = 0; k < std::size(k_peaks); ++k) {
         Raster peak = model.to_raster(peaks_[k]);
-        result.raster("max_depth").values.for_each_stored([&](std::size_t cell, double depth) {
+        result.raster(RasterName::max_depth).values.for_each_stored([&](std::size_t cell, double depth) {
             if (std::isnan(depth)) return;
             const double least = k_peaks[k].least(depth);
             if (!(peak.values[cell] >= least)) peak.values[cell] = least;

@@ -33,7 +33,7 @@ ReachedPlaces::ReachedPlaces(const RunResult& result) : result_(result) {
         const Raster* const on_ground = result.find_raster(low.name);
         if (on_ground == nullptr) continue;
         Raster& both = with_flights_.emplace(low.name, *on_ground).first->second;
-        const bool is_least = low.name == "arrival_time";
+        const bool is_least = low.name == RasterName::arrival_time;
         low.values.values.for_each_stored([&](std::size_t cell, double value) {
             const double before = std::as_const(both).values[cell];
             if (!std::isnan(value)) both.values[cell] = is_least ? std::fmin(before, value) : std::fmax(before, value);
@@ -50,10 +50,11 @@ Raster intensity_classes(const RunResult& result, const HazardScheme& scheme) {
     const ReachedPlaces reached(result);
     // For a scheme without flux or head none is recorded; depth is passed instead and not read.
     const auto recorded = [&](const char* name) -> const Raster& {
-        return reached(result.find_raster(name) ? name : "max_depth");
+        return reached(result.find_raster(name) ? name : RasterName::max_depth);
     };
-    return hazard_classes(scheme, {reached("max_depth"), reached("max_velocity"), recorded("max_flux"),
-                                   recorded("max_head"), reached("max_pressure"), result.raster("final_depth")});
+    return hazard_classes(scheme, {reached(RasterName::max_depth), reached(RasterName::max_velocity),
+                                   recorded(RasterName::max_flux), recorded(RasterName::max_head),
+                                   reached(RasterName::max_pressure), result.raster(RasterName::final_depth)});
 }
 
 namespace {
@@ -121,7 +122,7 @@ std::vector<RunValue> reported_values(const RunResult& result, const Scene& scen
         const double value = row.of(statistics);
         const bool is_run_out = std::string_view(row.key) == k_run_out_key;
         values.push_back({row.key, row.title, row.unit, std::isnan(value) ? 0 : value,
-                          is_run_out ? result.raster("max_depth").grid.cell_size : 0, 0});
+                          is_run_out ? result.raster(RasterName::max_depth).grid.cell_size : 0, 0});
     }
     add_gauges(result, scene, values);
     add_sections(result, scene, values);
@@ -135,15 +136,17 @@ bool is_value_key(const std::string& key) {
 }
 
 RunStatistics run_statistics(const RunResult& result, double threshold) {
-    const Raster& depth = result.raster("max_depth");
+    const Raster& depth = result.raster(RasterName::max_depth);
     const Raster trace = trace_mask(depth, threshold);
-    return {high_values(depth, trace), high_values(result.raster("max_velocity"), trace), masked_area(trace),
-            runouts(separate_flows(result), result.raster("bed"), result.raster("release"), trace).front().horizontal_m,
+    return {high_values(depth, trace), high_values(result.raster(RasterName::max_velocity), trace), masked_area(trace),
+            runouts(separate_flows(result), result.raster(RasterName::bed), result.raster("release"), trace)
+                .front()
+                .horizontal_m,
             result.volume_final > 0 ? result.volume_shown / result.volume_final : k_no_data};
 }
 
 SeparateFlows separate_flows(const RunResult& result) {
-    return {result.raster("release"), result.raster("max_depth"), result.inflow_places};
+    return {result.raster("release"), result.raster(RasterName::max_depth), result.inflow_places};
 }
 
 namespace {
@@ -170,7 +173,7 @@ void add_peak_places(Json& json, const RunResult& result) {
         const std::int64_t columns = raster.grid.columns, cell = static_cast<std::int64_t>(*highest);
         const Point place = raster.grid.cell_centre(cell / columns, cell % columns);
         const double SeriesRow::*const over_time =
-            &raster == &result.raster("max_depth") ? &SeriesRow::max_depth : &SeriesRow::max_speed;
+            &raster == &result.raster(RasterName::max_depth) ? &SeriesRow::max_depth : &SeriesRow::max_speed;
         const auto row = std::max_element(
             result.series.begin(), result.series.end(),
             [over_time](const SeriesRow& a, const SeriesRow& b) { return a.*over_time < b.*over_time; });
@@ -220,13 +223,13 @@ void add_ground(Json& json, const char* where, const std::optional<GroundStatist
 }  // namespace
 
 TraceFigures trace_figures(const RunResult& result, const Raster& terrain, double threshold) {
-    const Raster trace = trace_mask(result.raster("max_depth"), threshold);
+    const Raster trace = trace_mask(result.raster(RasterName::max_depth), threshold);
     TraceFigures figures;
     figures.threshold = threshold;
     figures.covered_area_m2 = masked_area(trace);
-    figures.run_outs = runouts(separate_flows(result), result.raster("bed"), result.raster("release"), trace);
+    figures.run_outs = runouts(separate_flows(result), result.raster(RasterName::bed), result.raster("release"), trace);
     if (Runout& first = figures.run_outs.front(); first.horizontal_m > 0)
-        first.path_m = length(flow_path(result.raster("max_depth"), first.top, first.tip));
+        first.path_m = length(flow_path(result.raster(RasterName::max_depth), first.top, first.tip));
     figures.high = peak_statistics(result, trace);
     figures.path_ground = ground_where(terrain, trace, 0);
     return figures;
@@ -278,7 +281,7 @@ MotionAtEnd motion_at_end(const RunResult& result) noexcept {
 
 GapContact gap_contact(const RunResult& result, const Scene& scene, NodataPolicy policy) {
     GapContact gap;
-    const Raster& deepest = result.raster("max_depth");
+    const Raster& deepest = result.raster(RasterName::max_depth);
     if (scene.numerics.nodata != policy || !deepest.grid.same_cells(scene.terrain.grid)) return gap;
     const GridSpec& grid = deepest.grid;
     const Raster& terrain = scene.terrain;

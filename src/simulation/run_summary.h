@@ -107,9 +107,9 @@ struct PeakStatistic {
 };
 
 inline constexpr std::array<PeakStatistic, 3> k_peak_statistics{{
-    {"max_depth", "m", worded("depth, vertical")},
-    {"max_velocity", "ms", worded("speed, along the ground")},
-    {"max_pressure", "kpa", worded("dynamic pressure")},
+    {RasterName::max_depth, "m", worded("depth, vertical")},
+    {RasterName::max_velocity, "ms", worded("speed, along the ground")},
+    {RasterName::max_pressure, "kpa", worded("dynamic pressure")},
 }};
 
 /// One for each value, over the cells of a trace.

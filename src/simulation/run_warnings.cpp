@@ -13,6 +13,7 @@
 #include "core/words/number_text.h"
 #include "models/structured/solid/solid_laws.h"
 #include "params/keys/laws.h"
+#include "params/keys/result_rasters.h"
 #include "params/keys/zone_keys.h"
 #include "physics/friction_coulomb.h"
 #include "simulation/run_summary.h"
@@ -83,7 +84,7 @@ void warn_of_motion(const RunResult& result, Warnings& warnings) {
 void warn_of_thin_flow(const RunResult& result, const Scene& scene, Warnings& warnings) {
     if (result.thin_fraction < k_thin_fraction) return;
     const double minimum = scene.numerics.minimum_depth;
-    const bool was_visible = maximum(result.raster("max_depth")) > 0;
+    const bool was_visible = maximum(result.raster(RasterName::max_depth)) > 0;
     warnings.push_back(
         {worded(was_visible ? worded("{1} % of flow thinner than numerics.minimum-depth = {2} m: lower it")
                             : worded("empty maps: {1} % thinner than numerics.minimum-depth = {2} m: lower it"),
@@ -93,7 +94,7 @@ void warn_of_thin_flow(const RunResult& result, const Scene& scene, Warnings& wa
 
 /// Warns of flow on maps that is not in outlines and run-out.
 void warn_of_empty_trace(const RunResult& result, const Scene& scene, Warnings& warnings) {
-    const double threshold = scene.time.trace_threshold, deepest = maximum(result.raster("max_depth"));
+    const double threshold = scene.time.trace_threshold, deepest = maximum(result.raster(RasterName::max_depth));
     if (!(deepest > 0) || deepest > threshold) return;
     warnings.push_back({worded("flow nowhere deeper than output.trace-threshold = {1} m ({2} m): lower it",
                                {shortest_text(threshold), numeral(number_text(deepest, 3))}),
@@ -109,7 +110,7 @@ void warn_of_energy(const RunResult& result, Warnings& warnings) {
 /// Crowded particles at rest feel the pressure of a shallower flow: a pile of them may stand too high.
 void warn_of_piles(const RunResult& result, const Scene& scene, Warnings& warnings) {
     const std::optional<Pile> pile = highest_pile(result, scene);
-    if (!pile || pile->height <= k_pile * maximum(result.raster("final_depth"))) return;
+    if (!pile || pile->height <= k_pile * maximum(result.raster(RasterName::final_depth))) return;
     warnings.push_back({worded("deposit of {2} m at E {3}, N {4} uncertain by {1} m: use smaller cells",
                                {numeral(number_text(pile->height, 2)), numeral(number_text(pile->depth, 3)),
                                 numeral(grouped(pile->place.x)), numeral(grouped(pile->place.y))}),
@@ -309,12 +310,12 @@ Warnings run_warnings(const RunResult& result, const Scene& scene) {
     warn_of_gaps(result, scene, warnings);
     warn_of_motion(result, warnings);
     if (!result.released.empty() && result.stop_reason != StopReason::requested &&
-        !(maximum(result.raster("max_velocity")) > 0))
+        !(maximum(result.raster(RasterName::max_velocity)) > 0))
         warnings.push_back({worded("nothing moved: check material, release and DTM"), true});
     warnings += thin_release_warnings(result.raster("release"), scene);
     warn_of_thin_flow(result, scene, warnings);
     warn_of_empty_trace(result, scene, warnings);
-    warnings += release_warnings(scene, result.raster("bed"), result.raster("release"), result.released,
+    warnings += release_warnings(scene, result.raster(RasterName::bed), result.raster("release"), result.released,
                                  result.particles_initial);
     warn_of_energy(result, warnings);
     warn_of_piles(result, scene, warnings);
@@ -331,7 +332,7 @@ Warnings run_warnings(const RunResult& result, const Scene& scene) {
                     {numeral(grouped(result.volume_left)), percent(result.volume_left / result.volume_entered)}),
              true});
     }
-    const Raster trace = trace_mask(result.raster("max_depth"), scene.time.trace_threshold);
+    const Raster trace = trace_mask(result.raster(RasterName::max_depth), scene.time.trace_threshold);
     if (const auto path = ground_where(scene.terrain, trace, 0)) warnings += path_ground_warnings(*path);
     if (result.jumps)
         warnings.push_back(worded(k_flights_warning, {numeral(grouped(result.jumps->volume)),
@@ -364,7 +365,7 @@ std::optional<Pile> highest_pile(const RunResult& result, const Scene& scene) {
     const bool at_rest = result.stop_reason == StopReason::still || result.stop_reason == StopReason::settled;
     if (!at_rest || scene.structured || !result.hard_events.none() || holds_without_friction(scene.material))
         return std::nullopt;
-    const Raster &bed = result.raster("bed"), &shown = result.raster("final_depth");
+    const Raster &bed = result.raster(RasterName::bed), &shown = result.raster(RasterName::final_depth);
     const Raster vertical = result.depth_is_normal ? vertical_depth(shown, bed) : Raster();
     const Raster& depth = result.depth_is_normal ? vertical : shown;
     const GridSpec& grid = depth.grid;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/words/words.h"
+#include "params/keys/result_rasters.h"
 #include "simulation/finite_volume_flow.h"
 #include "simulation/flow.h"
 #include "simulation/scene.h"
@@ -75,8 +76,8 @@ void Model::add_exchange(const ZeroArray<ErodibleBed>& beds, const ExchangeRepor
         });
     };
     result.exchanges = true;
-    result.add("eroded_depth", depths(&ErodibleBed::eroded));
-    result.add("deposited_depth", depths(&ErodibleBed::deposited));
+    result.add(RasterName::eroded_depth, depths(&ErodibleBed::eroded));
+    result.add(RasterName::deposited_depth, depths(&ErodibleBed::deposited));
     result.volume_eroded = exchanged.eroded;
     result.volume_deposited = exchanged.deposited;
     result.momentum_deposited = density() * std::hypot(exchanged.momentum_x, exchanged.momentum_y);

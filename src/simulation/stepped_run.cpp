@@ -193,8 +193,8 @@ Raster depth_that_failed(const Release& release, const Arrivals& arrivals) {
 /// What lies at the end minus the release and erosion, plus deposition into the bed; NaN where nothing flowed. Where a
 /// fluid is computed beside them the solids lie as densely as they were released, since their fluid drains.
 Raster elevation_change(const RunResult& result, const Raster& release) {
-    const Raster* const solids = result.phases ? result.find_raster("solid_depth") : nullptr;
-    const Raster& left = solids != nullptr ? *solids : result.raster("final_depth");
+    const Raster* const solids = result.phases ? result.find_raster(RasterName::solid_depth) : nullptr;
+    const Raster& left = solids != nullptr ? *solids : result.raster(RasterName::final_depth);
     double volume = 0;
     for (const ReleasedArea& area : result.released) volume += area.failed ? area.volume : 0;
     const double bulk =
@@ -203,10 +203,10 @@ Raster elevation_change(const RunResult& result, const Raster& release) {
         const double value = raster != nullptr ? raster->values[cell] : 0;
         return std::isnan(value) ? 0 : value;
     };
-    const Raster *const eroded = result.find_raster("eroded_depth"), *const deposited =
-                                                                         result.find_raster("deposited_depth");
+    const Raster *const eroded = result.find_raster(RasterName::eroded_depth), *const deposited = result.find_raster(
+                                                                                   RasterName::deposited_depth);
     Raster change(release.grid, k_no_data);
-    result.raster("max_depth").values.for_each_stored([&](std::size_t cell, double depth) {
+    result.raster(RasterName::max_depth).values.for_each_stored([&](std::size_t cell, double depth) {
         if (std::isnan(depth)) return;
         change.values[cell] = bulk * of(&left, cell) - of(&release, cell) - of(eroded, cell) + of(deposited, cell);
     });
@@ -398,27 +398,27 @@ RunResult SteppedRun::finish() {
     if (finite) model_->record_present();
     const Maxima& maxima = model_->maxima();
     Raster velocity = model_->to_raster(maxima.speed);
-    result.add("max_depth", model_->to_raster(maxima.depth));
+    result.add(RasterName::max_depth, model_->to_raster(maxima.depth));
     // A cell that was reached but never moved has speed zero, not "no data".
-    result.raster("max_depth").values.for_each_stored([&](std::size_t cell, double depth) {
+    result.raster(RasterName::max_depth).values.for_each_stored([&](std::size_t cell, double depth) {
         double& speed = velocity.values[cell];
         if (!std::isnan(depth) && std::isnan(speed)) speed = 0;
     });
-    result.add("arrival_time", model_->to_raster(maxima.arrival_plus_1, 1));
-    result.add("final_depth", model_->snapshot().depth);
+    result.add(RasterName::arrival_time, model_->to_raster(maxima.arrival_plus_1, 1));
+    result.add(RasterName::final_depth, model_->snapshot().depth);
     for (NamedRaster& raster : model_->more_rasters()) result.rasters.push_back(std::move(raster));
     hide_walls(scene_, velocity);
     for (NamedRaster& raster : result.rasters) hide_walls(scene_, raster.values);
     if (!finite) hide_non_finite(velocity);
-    result.add("max_pressure", model_->max_pressure(velocity));
-    result.add("max_velocity", std::move(velocity));
+    result.add(RasterName::max_pressure, model_->max_pressure(velocity));
+    result.add(RasterName::max_velocity, std::move(velocity));
     recorder_.move_to(*model_, result);
     model_->add_to(result);
     if (!finite)
         for (NamedRaster& raster : result.rasters) hide_non_finite(raster.values);
     read_ground_under(model_->nodes(), scene_.terrain, release_.bed);
-    result.volume_shown = volume_of(result.raster("final_depth"));
-    result.add("elevation_change",
+    result.volume_shown = volume_of(result.raster(RasterName::final_depth));
+    result.add(RasterName::elevation_change,
                elevation_change(result,
                                 arrivals_.waiting().empty() ? release_.depth : depth_that_failed(release_, arrivals_)));
     result.depth_is_normal = scene_.recording.normal_depth;
@@ -426,7 +426,7 @@ RunResult SteppedRun::finish() {
         make_normal(result.rasters, release_.bed);
         make_normal(result.low_flights, release_.bed);
     }
-    result.add("bed", std::move(release_.bed));
+    result.add(RasterName::bed, std::move(release_.bed));
     result.add("release", std::move(release_.depth));
     for (const InflowSource& source : arrivals_.sources())
         for (const Point place : source.places()) result.inflow_places.push_back(scene_.grid.map_from_local(place));

@@ -7,6 +7,7 @@
 
 #include "models/structured/solid/column_state.h"
 #include "mpm/ground_slope.h"
+#include "params/keys/result_rasters.h"
 #include "simulation/scene.h"
 #include "simulation/structured_laws.h"
 
@@ -449,14 +450,15 @@ std::vector<NamedRaster> StructuredFlow::more_rasters() const {
     const auto where_solid = [&](std::size_t cell, double value) {
         return solid_depth(cell) >= least ? value : k_no_data;
     };
-    add("solid_depth", raster_of([&](std::size_t cell) { return where_solid(cell, solid_depth(cell)); }));
+    add(RasterName::solid_depth, raster_of([&](std::size_t cell) { return where_solid(cell, solid_depth(cell)); }));
     add("solid_velocity", raster_of([&](std::size_t cell) { return where_solid(cell, solid_speed(cell)); }));
     const ParticleSet& particles = state_.solid->particles;
     if (particles[Field::cohesion_ratio] != nullptr)
-        add("cohesion_ratio",
+        add(RasterName::cohesion_ratio,
             mean_by_cell(particles, grid_, [&](std::size_t p) { return particles[Field::cohesion_ratio][p]; }));
     if (particles[Field::e_xx] != nullptr)
-        add("strain", mean_by_cell(particles, grid_, [&](std::size_t p) { return greatest_strain(particles, p); }));
+        add(RasterName::strain,
+            mean_by_cell(particles, grid_, [&](std::size_t p) { return greatest_strain(particles, p); }));
     if (!state_.fluid) return rasters;
     add("fluid_depth",
         raster_of([&](std::size_t cell) { return fluid_depth(cell) >= least ? fluid_depth(cell) : k_no_data; }));

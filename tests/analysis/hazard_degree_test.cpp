@@ -47,16 +47,18 @@ TEST(HazardDegree, NamesAreReadBack) {
 }
 
 TEST(HazardDegree, SchemesWithThreeIntensities) {
-    HazardLimits limits;
-    limits.depth = {0.5, 2};
-    HazardScheme scheme = custom_scheme(limits);
+    HazardScheme scheme;
+    for (const int value : {1, 2, 3}) scheme.classes.push_back({.value = value});
+    scheme.matrices.emplace_back();
     EXPECT_TRUE(has_intensities(scheme));
     scheme.classes.erase(scheme.classes.begin());
     EXPECT_TRUE(has_intensities(scheme)) << "the upper two";
     scheme.matrices.clear();
     EXPECT_FALSE(has_intensities(scheme)) << "no matrix";
-    limits.depth = {0.5};
-    EXPECT_FALSE(has_intensities(custom_scheme(limits)));
+    HazardScheme two;
+    for (const int value : {1, 2}) two.classes.push_back({.value = value});
+    two.matrices.emplace_back();
+    EXPECT_FALSE(has_intensities(two));
 }
 
 }  // namespace

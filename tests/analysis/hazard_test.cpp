@@ -64,18 +64,11 @@ TEST(Hazard, OnlyDepthsNeedTheMinimumDepth) {
     EXPECT_EQ(in_class(scheme_of({{{yellow}}, {{red}}})), (Classes{0, 2, 2, 1, 1, 0}));
     EXPECT_EQ(in_class(scheme_of({{}, {{red}}})), (Classes{1, 2, 2, 1, 1, 0}))
         << "whatever pressure: all that is reached";
-    EXPECT_EQ(in_class(custom_scheme({{0.5}, {}, {}, {10, 30}})), (Classes{0, 2, 3, 0, 2, 0}));
+    EXPECT_EQ(in_class(scheme_of({{}, {{{Q::depth, 0.5}}, {red}}, {{{Q::pressure, 30}}}})),
+              (Classes{0, 2, 3, 0, 2, 0}));
     EXPECT_EQ(in_class(scheme_of({{}, {{{Q::head, 1.5, true}}}})), (Classes{0, 0, 0, 0, 1, 0})) << "heights are depths";
     EXPECT_EQ(in_class(scheme_of({{}, {{red, {Q::depth, 0.05}}}})), (Classes{0, 0, 0, 0, 1, 0}));
     EXPECT_TRUE(scheme_of({{}, {{red}}}).minimum_labels().empty());
-}
-
-TEST(Hazard, CustomCountsTheLimitsExceeded) {
-    HazardCells cells({0.2, 0.6, 3, 0.2, 0.2});
-    cells.pressure.values = {0, 0, 0, 11, 31};
-    const HazardScheme scheme = custom_scheme({{0.5}, {}, {}, {10, 30}});
-    EXPECT_EQ(cells.classes(scheme), (std::vector<double>{1, 2, 2, 2, 3}));
-    EXPECT_EQ(scheme.classes.size(), 3U);
 }
 
 // Every quantity on, below and above every limit, against the conditions as a person would write them in code.
@@ -154,12 +147,6 @@ TEST(Hazard, EveryClassNamesItsThresholds) {
               (Labels{"energy head < 1.5 m and deposit < 0.7 m", "energy head ≥ 1.5 m or deposit ≥ 0.7 m"}));
     EXPECT_EQ(labels(scheme_of({{}, {{{Q::depth, 2}}, {{Q::depth, 1}, {Q::velocity, 1}}}})),
               (Labels{"all else", "depth > 2 m or depth > 1 m and speed > 1 m/s"}));
-    EXPECT_EQ(labels(custom_scheme({{0.5, 2}, {}, {}, {}})),
-              (Labels{"depth ≤ 0.5 m", "depth 0.5 – 2 m", "depth > 2 m"}));
-    EXPECT_EQ(
-        labels(custom_scheme({{0.5}, {}, {}, {10, 30}})),
-        (Labels{"depth ≤ 0.5 m and pressure ≤ 10 kPa", "depth > 0.5 m or pressure > 10 kPa", "pressure > 30 kPa"}));
-    EXPECT_EQ(custom_scheme({{0.5, 2}, {}, {}, {}}).classes.back().label(), "depth > 2 m");
 }
 
 }  // namespace

@@ -54,7 +54,6 @@ class ResultScenes : public TinyScene {
     void render_all() const {
         render({"--charts", "--size", "640x480"});
         render({"--animation", "old/film.gif", "--size", "640x480"});
-        render({"--animation", "old/pictures/", "--size", "640x480"});
         render({"--map", "depth@1", "--map", "dtm", "--format", "tif", "--size", "640x480"});
         render({"--map", "max_depth", "--out", "old/more", "--size", "640x480"});
         ASSERT_EQ(

@@ -101,7 +101,7 @@ TEST_F(StructuredScene, RunsSolidsWithTheirFluid) {
                                                "solid_velocity"}));
     EXPECT_EQ(contents.size(), pictures.size());
     const Outcome moving =
-        frana({"render", "result", "--map", "particle_cohesion", "--animation", "pictures/", "--size", "640x480"});
+        frana({"render", "result", "--map", "particle_cohesion", "--animation", "cohesion.gif", "--size", "640x480"});
     EXPECT_EQ(moving.exit_code, 0) << moving.err;
 }
 
@@ -166,77 +166,6 @@ TEST_F(StructuredScene, RecordsSections) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const std::string rows = read_text(path("result/sections.csv"));
     EXPECT_GT(std::count(rows.begin(), rows.end(), '\n'), 10);
-}
-
-struct Refused {
-    std::string name;
-    std::vector<std::string> set;
-    std::vector<std::string> words;
-};
-
-class StructuredRefuses : public StructuredScene, public ::testing::WithParamInterface<Refused> {};
-
-TEST_P(StructuredRefuses, ByName) {
-    write_fluid();
-    std::vector<std::string> arguments{"run", "scene.ini", "--out", "result"};
-    for (const std::string& set : GetParam().set) {
-        arguments.emplace_back("--set");
-        arguments.push_back(set);
-    }
-    const Outcome outcome = frana(arguments);
-    EXPECT_EQ(outcome.exit_code, 2);
-    for (const std::string& words : GetParam().words)
-        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
-    EXPECT_FALSE(fs::exists(path("result")));
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    What, StructuredRefuses,
-    ::testing::Values(
-        Refused{
-            "solids_without_strength",
-            {"structured.phases=solids-and-fluid"},
-            {"structured.cohesion", "structured.internal-friction-angle", "is missing", "numerics.particles-per-cell"}},
-        Refused{"solids_keys_of_fluid_alone",
-                {"structured.cohesion=1e4"},
-                {"structured.cohesion", "structured.phases = fluid does not use it"}},
-        Refused{
-            "stiffness_out_of_bounds",
-            {"structured.phases=solids-and-fluid", "structured.cohesion=1e4", "structured.internal-friction-angle=30",
-             "numerics.particles-per-cell=9", "structured.bulk-modulus=1e6"},
-            {"structured.young-modulus", "less than 9 times"}},
-        Refused{
-            "softer_than_it_may_strain",
-            {"structured.phases=solids-and-fluid", "structured.cohesion=1e4", "structured.internal-friction-angle=30",
-             "numerics.particles-per-cell=9", "structured.modulus-reduction=10"},
-            {"structured.modulus-reduction", "10", "at most 1.5"}},  // 0.05 / 20 of 12 MPa over 1.994 times 10 kPa
-        Refused{
-            "damage_over_less_than_half_a_cell",
-            {"structured.phases=solids-and-fluid", "structured.cohesion=1e4", "structured.internal-friction-angle=30",
-             "numerics.particles-per-cell=9", "structured.damage-length=0.01"},
-            {"structured.damage-length", "0.01 m", "half a cell to two cells", "Choose cells"}},
-        Refused{
-            "dilatancy_without_pores",
-            {"structured.phases=solids-and-fluid", "structured.cohesion=1e4", "structured.internal-friction-angle=30",
-             "numerics.particles-per-cell=9", "material.compressibility=1e-6", "material.critical-solid-fraction=0.55",
-             "structured.solid-fraction=1"},
-            {"material.compressibility", "structured.solid-fraction = 1", "0.1 to 0.9"}},
-        Refused{"keys_of_the_other_model",
-                {"material.friction-angle=20", "numerics.scheme=paper", "entrainment.erosion=growth"},
-                {"3 problems", "material.friction-angle", "numerics.scheme", "entrainment.erosion", "does not use it"}},
-        Refused{"its_keys_with_the_other_model",
-                {"material.model=voellmy-bingham", "material.friction-angle=20"},
-                {"structured.manning", "material.model = voellmy-bingham does not use it"}},
-        Refused{"a_preset", {"material.preset=mudflow"}, {"material.preset", "does not use it"}},
-        Refused{"surface_form", {"numerics.slope-correction=surface"}, {"numerics.slope-correction"}},
-        Refused{"negative_manning", {"structured.manning=-0.1"}, {"structured.manning", "-0.1", "0 to 1"}}),
-    [](const auto& tested) { return tested.param.name; });
-
-TEST_F(StructuredScene, ReportsMissingPhases) {
-    write_scene();
-    const Outcome outcome = frana({"check", "scene.ini", "--set", "material.model=structured"});
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_NE(outcome.err.find("structured.phases: is missing"), std::string::npos) << outcome.err;
 }
 
 }  // namespace

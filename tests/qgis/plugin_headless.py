@@ -61,7 +61,7 @@ with zipfile.ZipFile(archive) as package:
     written = {os.path.relpath(os.path.join(where, name), installed) for where, _, files in os.walk(installed)
                for name in files if "__pycache__" not in where}
     assert {name[len("frana/"):] for name in names} == (written - {"program.txt"}) | {"LICENSE"}, names
-    ask(frana, "qgis-plugin", "--uninstall")
+    shutil.rmtree(installed)
     package.extractall(os.path.dirname(installed))
 environment["PATH"] = os.path.dirname(frana) + ":" + environment["PATH"]  # nothing else says where the program is
 found = json.loads(run_headless("third").stdout)["results"]

@@ -77,7 +77,6 @@ TEST(Golden, Map) {
 TEST(Golden, MapWithEverything) {
     const Raster ground = test::terrain(), layer = test::tongue();
     MapSpec spec = test::crowded_map(ground, layer, 960, 720);
-    spec.continuous = true;
     spec.palette = "velocity";
     expect_like(draw_map(spec), "crowded_map");
 }

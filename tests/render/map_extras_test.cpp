@@ -16,62 +16,6 @@ namespace {
 
 using test::pixel;
 
-TEST(ContinuousLegend, EveryCellHasTheColourOfItsValueInTheRamp) {
-    const Raster ground = test::terrain(), layer = test::tongue();
-    MapSpec spec = test::full_map(ground, layer, 1000, 800);
-    spec.outlines.clear();
-    spec.contours = false;
-    spec.continuous = true;
-    MapLayout layout;
-    const Image map = draw_map(spec, &layout);
-    ASSERT_GT(layout.legend.size(), 100U);
-    int seen = 0, cells = 0;
-    for (std::int64_t row = 20; row < 85; ++row) {
-        for (std::int64_t column = 50; column < 70; ++column) {
-            Point at = layer.grid.cell_centre(row, column);
-            at.x += layer.grid.cell_size / 4;
-            at.y += layer.grid.cell_size / 4;
-            const auto entry = std::find_if(layout.legend.begin(), layout.legend.end(), [&](const LegendEntry& one) {
-                return one.lower <= layer.at(row, column) && layer.at(row, column) < one.upper;
-            });
-            ASSERT_NE(entry, layout.legend.end());
-            const auto [x, y] = pixel(layout, at);
-            seen += map.colour(x, y) == entry->colour ? 1 : 0;
-            ++cells;
-        }
-    }
-    EXPECT_GE(seen, cells - 30);  // all except those under a coordinate cross
-    // The ramp has no gap and its colours are on the page, in the order of the values.
-    for (std::size_t i = 1; i < layout.legend.size(); ++i) {
-        EXPECT_DOUBLE_EQ(layout.legend[i].box.top, layout.legend[i - 1].box.bottom);
-        EXPECT_DOUBLE_EQ(layout.legend[i].upper, layout.legend[i - 1].lower);
-    }
-    const LegendEntry& middle = layout.legend[layout.legend.size() / 2];
-    const Rgb inked = map.colour(static_cast<int>((middle.box.left + middle.box.right) / 2),
-                                 static_cast<int>((middle.box.top + middle.box.bottom) / 2));
-    EXPECT_TRUE(test::near(inked, middle.colour, 6));  // a slice is about a pixel high: its neighbours differ by 2
-}
-
-TEST(ContinuousLegend, BoundsAreNumberedAtTheirPlace) {
-    const Raster ground = test::terrain(), layer = test::tongue();
-    MapSpec spec = test::full_map(ground, layer, 1600, 1200);
-    spec.continuous = true;
-    MapLayout layout;
-    draw_map(spec, &layout);
-    for (const char* bound : {"0", "2", "4", "6", "8", "10"}) {
-        const auto text = std::find_if(layout.texts.begin(), layout.texts.end(), [&](const TextBox& one) {
-            return one.text == bound && one.box.left > layout.legend.front().box.right &&
-                   one.box.top < layout.legend.back().box.bottom + 20;
-        });
-        ASSERT_NE(text, layout.texts.end()) << bound;
-        const double middle = (text->box.top + text->box.bottom) / 2;
-        double edge = layout.legend.back().box.bottom;
-        for (const LegendEntry& one : layout.legend)
-            if (std::fabs(one.upper - std::stod(bound)) < 1e-9) edge = one.box.top;
-        EXPECT_NEAR(middle, edge, 1.5) << bound;  // letters' ink is whole pixels
-    }
-}
-
 TEST(Inset, ShowsAllTerrainWithTheWindowInItsPlace) {
     const Raster ground = test::terrain(), layer = test::tongue();
     const MapSpec spec = test::crowded_map(ground, layer, 1600, 1200);

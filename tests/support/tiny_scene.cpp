@@ -87,7 +87,7 @@ void TinyScene::write_scene(const std::string& more) const {
     write("scene.ini",
           "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
           "friction-angle = 15\nturbulence = 500\n[time]\nend = 4\n" +
-              more);
+              more + (more.find("[output]") == std::string::npos ? k_numbers_only : ""));
 }
 
 std::vector<std::string> TinyScene::files() const {

@@ -12,6 +12,9 @@
 
 namespace frana::test {
 
+/// No pictures and no frames: a run of a tenth of a second.
+inline const std::string k_numbers_only = "[output]\nmaps = off\nanimation = off\nframes = off\n";
+
 /// A separate folder for every test, with a slope small enough to run in a second: 60 x 30 cells of 5 m in EPSG:32632,
 /// 27 degrees falling east to a flat, a release of 50 m x 40 m near the top.
 class TinyScene : public ::testing::Test {
@@ -27,7 +30,8 @@ class TinyScene : public ::testing::Test {
     /// Writes NAME.geojson in EPSG:32632 with one polygon of these corners (offsets from the DTM's south-western
     /// corner) and the attribute depth = 2.
     void write_polygon(const std::string& name, const std::vector<std::pair<double, double>>& corners) const;
-    /// Writes scene.ini with the minimal keys, and these lines after them (start with a [section]).
+    /// Writes scene.ini with the minimal keys, and these lines after them. Without an [output] in them nothing is
+    /// drawn.
     void write_scene(const std::string& more = "") const;
     [[nodiscard]] Outcome frana(const std::vector<std::string>& arguments, int signal_after_ms = 0) const {
         return run_program(folder_.string(), arguments, signal_after_ms);
@@ -41,15 +45,22 @@ class TinyScene : public ::testing::Test {
 inline constexpr double k_west = 527000, k_south = 5094000, k_cell = 5;
 inline constexpr int k_columns = 60, k_rows = 30;
 
-/// No pictures and no frames: a run of a tenth of a second.
-inline const std::string k_numbers_only = "[output]\nmaps = off\nanimation = off\nframes = off\n";
-
 /// A friction table of one return period (30 years), one class of terrain and one volume, with forest.
 inline std::string own_friction_table(double mu) {
     return "[table]\ntitle = Own\nsource = None\nreturn-periods = 30\n[forest]\nmore-friction = 0.05\nturbulence = "
            "400\n"
            "[class-1]\nname = All\n30-years-from-0-m3 = " +
            std::to_string(mu) + " 1000\n";
+}
+
+/// A hazard scheme of three classes, the upper two by limits of one quantity, with the matrix of Bern.
+/// @param quantity "depth > "  @param lower, upper "0.5 m"
+inline std::string own_scheme(const std::string& quantity, const std::string& lower, const std::string& upper) {
+    return "[scheme]\ntitle = Own\nsource = None\n[class-1]\nname = Low\ncolour = bae4b3\n[class-2]\nname = "
+           "Middle\ncolour = 5d966f\ncondition = " +
+           quantity + lower + "\n[class-3]\nname = High\ncolour = 00441b\ncondition = " + quantity + upper +
+           "\n[degree]\nreturn-periods = 30, 100, 300\nstrong = red, red, red\nmedium = red, blue, blue\n"
+           "weak = blue, blue, yellow\n";
 }
 
 }  // namespace frana::test

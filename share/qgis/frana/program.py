@@ -85,6 +85,4 @@ def ask_program() -> Program:
              ("material.friction-table", ["schemes", "--friction"]))
     presets = {key: re.findall(r"^([a-z][\w-]*)$", _answer(path, *words), re.MULTILINE)
                for key, words in lists if words[0] in commands}
-    if "hazard.scheme" in presets:
-        presets["hazard.scheme"].append("custom")
     return Program(path, version.removeprefix("frana "), commands, keys, presets)

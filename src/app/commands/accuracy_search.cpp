@@ -8,6 +8,7 @@
 #include "app/text/number_text.h"
 #include "core/error.h"
 #include "gis/raster/working_grid.h"
+#include "params/keys/result_rasters.h"
 #include "simulation/simulation.h"
 
 namespace frana::app {
@@ -73,8 +74,8 @@ AccuracyLevel level_of(const RunResult& result, const Prepared& level, const Ras
         computed.problem = std::string("ended early: ") + describe(result.stop_reason);
         return computed;
     }
-    computed.curvature = ground_curvature(level.scene.terrain, result.raster("max_depth"), threshold);
-    computed.finest_curvature = ground_curvature(finest_terrain, result.raster("max_depth"), threshold);
+    computed.curvature = ground_curvature(level.scene.terrain, result.raster(RasterName::max_depth), threshold);
+    computed.finest_curvature = ground_curvature(finest_terrain, result.raster(RasterName::max_depth), threshold);
     computed.values = reported_values(result, level.scene, threshold);
     return computed;
 }

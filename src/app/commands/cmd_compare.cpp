@@ -29,6 +29,7 @@
 #include "gis/crs/crs.h"
 #include "gis/raster/raster_in.h"
 #include "params/keys/output_parameters.h"
+#include "params/keys/result_rasters.h"
 #include "params/keys/scene_spec.h"
 
 namespace frana::app {
@@ -150,14 +151,14 @@ Simulated read_simulated(const std::string& operand, const std::optional<double>
     double usual_threshold = OutputSpec{}.trace_threshold;
     if (fs::is_directory(operand)) {
         const ResultReader result(operand);
-        input.depth = result.raster("max_depth");
+        input.depth = result.raster(RasterName::max_depth);
         if (result.has("bed.tif") && result.has("release.tif")) {
-            input.bed = result.raster("bed");
+            input.bed = result.raster(RasterName::bed);
             input.release = result.raster("release");
             input.inflows = flow_tops(read_main_statistics(result.directory()));
         }
-        if (result.has("final_depth.tif")) input.final_depth = result.vertical_raster("final_depth");
-        if (result.has("elevation_change.tif")) input.elevation_change = result.raster("elevation_change");
+        if (result.has("final_depth.tif")) input.final_depth = result.vertical_raster(RasterName::final_depth);
+        if (result.has("elevation_change.tif")) input.elevation_change = result.raster(RasterName::elevation_change);
         simulated.source = result.map_source();
         usual_threshold =
             result.scene_number("observed.threshold", result.scene_number("output.trace-threshold", usual_threshold));

@@ -126,7 +126,7 @@ Level run_level(const Prepared& prepared, const SceneVariants& variants) {
     const Sentence size = numeral(number_text(level.cell_size));
     for (const Warning& warning : without(result.warnings, prepared.scene.warnings))
         level.warnings.push_back(worded("on cells of {1} m: {2}", {size, warning.words}));
-    level.depth = std::move(result.raster("max_depth"));
+    level.depth = std::move(result.raster(RasterName::max_depth));
     return level;
 }
 
@@ -395,8 +395,8 @@ int level_count(const boost::program_options::variables_map& values) {
     return static_cast<int>(*count);
 }
 
-constexpr const char *k_uncertainty = "uncertainty", *k_chart = "convergence.png", *k_table = "convergence.csv",
-                     *k_study = k_convergence_file;
+constexpr const char *k_uncertainty = RasterName::uncertainty, *k_chart = "convergence.png",
+                     *k_table = "convergence.csv", *k_study = k_convergence_file;
 
 std::vector<std::string> files_of(const fs::path& folder) {
     std::vector<std::string> files;

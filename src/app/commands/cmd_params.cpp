@@ -20,22 +20,22 @@
 namespace frana::app {
 
 CommandForm params_form() {
-    CommandForm form{"frana params [--ini|--json|--markdown|--schema]",
+    CommandForm form{"frana params [--ini|--json|--markdown]",
                      "Prints every key of a scene file: type, unit, default, allowed values, meaning.",
                      "",
                      {}};
     form.options.add_options()("ini", "as a scene file to fill in (default)")("json", "for programs")(
-        "markdown", "for documents")("schema", "as a JSON Schema of scenes")(
-        "language", one("LOCALE"), ("json: of titles and meanings: " + language_codes() + " (default: en)").c_str());
+        "markdown", "for documents")("language", one("LOCALE"),
+                                     ("json: of titles and meanings: " + language_codes() + " (default: en)").c_str());
     return form;
 }
 
 int cmd_params(const Arguments& arguments) {
     const auto values = parse_arguments(params_form(), arguments);
     if (!values) return static_cast<int>(ExitCode::done);
-    if (values->count("ini") + values->count("json") + values->count("markdown") + values->count("schema") > 1) {
+    if (values->count("ini") + values->count("json") + values->count("markdown") > 1) {
         throw Error(ErrorKind::input, Problem{"more than one format is requested", "command line", "", "",
-                                              "Give one of --ini, --json, --markdown, --schema"});
+                                              "Give one of --ini, --json, --markdown"});
     }
     const std::string locale = text_option(*values, "language").value_or("en");
     const std::optional<Language> language = language_of_code(locale.substr(0, locale.find_first_of("_.@")));
@@ -43,7 +43,6 @@ int cmd_params(const Arguments& arguments) {
         throw Error(ErrorKind::input, Problem{"is not one of the languages", "--language", locale, language_codes(),
                                               "Leave it out for English"});
     std::cout << (values->count("json") > 0       ? reference_json(*language)
-                  : values->count("schema") > 0   ? scene_schema()
                   : values->count("markdown") > 0 ? reference_markdown()
                                                   : reference_ini());
     return static_cast<int>(ExitCode::done);

@@ -130,26 +130,16 @@ void install_plugin(const std::string& source, const std::string& target, const 
     remove_folder(working);  // the older plugin, where there was one
 }
 
-/// Removes it. Returns whether it was there. Throws Error(environment) if it is not frana's or cannot be removed.
-bool uninstall_plugin(const std::string& target, const std::string& working) {
-    refuse_foreign(target);
-    remove_folder(working);
-    if (!is_there(target)) return false;
-    move(target, working);  // at once; a half of it would break QGIS's start
-    remove_folder(working);
-    return true;
-}
-
 }  // namespace
 
 CommandForm qgis_plugin_form() {
-    CommandForm form{"frana qgis-plugin --install|--uninstall [--profile NAME]",
-                     "Puts the QGIS plugin into a profile of QGIS (3.22 or newer), or removes it. An older one is "
+    CommandForm form{"frana qgis-plugin --install [--profile NAME]",
+                     "Puts the QGIS plugin into a profile of QGIS (3.22 or newer). An older one is "
                      "replaced whole. In QGIS, enable it once under Plugins, Manage and Install Plugins.",
                      "",
                      {}};
     form.options.add_options()("install", "put it into the profile; prints its folder")(
-        "uninstall", "remove it from the profile")("profile", one("NAME"), "name of the profile (default: default)");
+        "profile", one("NAME"), "name of the profile (default: default)");
     return form;
 }
 
@@ -187,18 +177,12 @@ const char* qgis_process() {
 int cmd_qgis_plugin(const Arguments& arguments) {
     const auto values = parse_arguments(qgis_plugin_form(), arguments);
     if (!values) return static_cast<int>(ExitCode::done);
-    const bool install = values->count("install") > 0, uninstall = values->count("uninstall") > 0;
-    if (install == uninstall)
-        throw Error(ErrorKind::input, Problem{install ? "both --install and --uninstall are given" : "nothing to do",
-                                              "command line", "", "", "Give --install or --uninstall"});
+    if (values->count("install") == 0)
+        throw Error(ErrorKind::input, Problem{"nothing to do", "command line", "", "", "Give --install"});
     const std::string name = text_option(*values, "profile").value_or(k_default_profile);
     const fs::path profile = qgis_profile(name);
     const std::string target = (profile / "python" / "plugins" / "frana").string();
     const std::string working = (profile / "python" / "frana-plugin.partial").string();
-    if (uninstall) {
-        if (!uninstall_plugin(target, working)) std::cerr << "frana: " << target << " was not there\n";
-        return static_cast<int>(ExitCode::done);
-    }
     const fs::path source = fs::path(share_directory()) / "qgis" / "frana";
     std::error_code error;
     if (!fs::is_regular_file(source / "metadata.txt", error))

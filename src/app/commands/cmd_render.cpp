@@ -27,7 +27,6 @@ constexpr double k_least_scale = 100, k_greatest_scale = 1e7;
 
 void read_title_block(const boost::program_options::variables_map& values, MapStyle& style, Problems& problems) {
     style.author = text_option(values, "author").value_or(style.author);
-    style.organisation = text_option(values, "organisation").value_or(style.organisation);
     if (const auto date = text_option(values, "date")) style.date = date_on_maps(date, style.date);
     const auto logo = text_option(values, "logo");
     if (logo) style.logo = *logo == "none" ? "" : *logo;
@@ -64,12 +63,9 @@ void add_style_options(CommandForm& form) {
         "maps: grid north, clockwise from up (default: 0); auto: the flow's longer axis along the page's longer side")(
         "format", many("png|pdf|svg|tif"),
         "png (default), pdf, svg, tif (the area inside the frame, georeferenced); repeatable")(
-        "legend", one("classed|continuous"), "classed (default) or continuous")(
         "background", one("FILE"), "orthophoto or topographic raster instead of the relief")(
-        "background-licence", one("TEXT"), "owner and licence of the background, at the foot")(
-        "attribution", one("TEXT"), "sources of the data, at the foot")(
-        "author", one("TEXT"), "author, in the title block")("organisation", one("TEXT"),
-                                                             "organisation, in the title block")(
+        "attribution", one("TEXT"), "sources of the data, at the foot")("author", one("TEXT"),
+                                                                        "author and organisation, in the title block")(
         "logo", one("FILE"), "PNG or JPEG file, in the title block; none: no logo")(
         "date", one("TEXT"), "date, in the title block (default: the day of the run); none: no date")(
         "title", one("TEXT"), "title of the maps");
@@ -77,7 +73,7 @@ void add_style_options(CommandForm& form) {
 
 /// The problem of a value that is none of an option's words.
 Problem not_one_of(const std::string& option, const std::string& value, const std::string& choices) {
-    return {"is not one of the choices", ("--" + option).c_str(), value, choices, ""};
+    return {"is not one of the choices", "--" + option, value, choices, ""};
 }
 
 /// Overrides the style by the options; adds their problems.
@@ -93,11 +89,6 @@ void read_style(const boost::program_options::variables_map& values, MapStyle& s
                 problems.add(not_one_of("format", one, joined(known, ", ")));
         }
         style.formats = formats;
-    }
-    if (const auto legend = given("legend")) {
-        if (*legend != "classed" && *legend != "continuous")
-            problems.add(not_one_of("legend", *legend, "classed, continuous"));
-        style.continuous = *legend == "continuous";
     }
     if (const auto camera = given("camera")) {
         const auto place = camera_from_text(*camera);
@@ -118,7 +109,6 @@ void read_style(const boost::program_options::variables_map& values, MapStyle& s
         problems.add({"is not a turn", "--turn", *turn, "auto, or -180 to 180 degrees", "Write for example 30"});
     if (values.count("plain") > 0) style.sky = false;
     style.background = given("background").value_or(style.background);
-    style.background_licence = given("background-licence").value_or(style.background_licence);
     style.attribution = given("attribution").value_or(style.attribution);
     read_title_block(values, style, problems);
     read_scale(values, style, problems);
@@ -173,11 +163,8 @@ CommandForm render_form() {
         "12.5 s, particles@12.5 its particles, particle_cohesion@12.5 the same coloured by cohesion left; "
         "repeatable (default: all)")("view", one("2d|3d"), "2d (default) or 3d")(
         "animation", one("FILE"),
-        "write the frames as FILE.mp4 or FILE.gif, or as pictures into FOLDER/, instead of maps; --map "
-        "velocity shows speeds, --map particles the particles")(
-        "beside", one("FOLDER"), "animation: another result to show beside, with the same colours")(
-        "fly", "animation, 3d: the camera moves along the flow")("charts",
-                                                                 "draw the charts of a result instead of maps")(
+        "write the frames as FILE.mp4 or FILE.gif instead of maps; --map velocity shows speeds, --map particles the "
+        "particles")("charts", "draw the charts of a result instead of maps")(
         "difference", one("RESULT_DIR"), "another result: draw the difference of --map, this result minus the other")(
         "language", one(codes.c_str()),
         ("of the texts: " + language_codes() + " (default: the result's output.language; for a RASTER the locale's)")
@@ -200,8 +187,8 @@ using Values = boost::program_options::variables_map;
 /// The requested outputs, as far as they do not depend on the files.
 struct Request {
     std::optional<Language> language;  ///< none: the result's own
-    bool view_3d = false, fly = false, charts = false;
-    std::optional<std::string> animation, beside, out, difference;
+    bool view_3d = false, charts = false;
+    std::optional<std::string> animation, out, difference;
     std::vector<std::string> maps;
     std::string animation_of = "depth";
 };
@@ -211,10 +198,8 @@ Request read_request(const Values& values, Problems& problems) {
     const std::string view = text_option(values, "view").value_or("2d");
     if (view != "2d" && view != "3d") problems.add(not_one_of("view", view, "2d, 3d"));
     request.view_3d = view == "3d";
-    request.fly = values.count("fly") > 0;
     request.charts = values.count("charts") > 0;
     request.animation = text_option(values, "animation");
-    request.beside = text_option(values, "beside");
     if (const auto language = text_option(values, "language")) {
         request.language = language_of_code(*language);
         if (!request.language) problems.add(not_one_of("language", *language, language_codes()));
@@ -231,18 +216,10 @@ Request read_request(const Values& values, Problems& problems) {
         problems.add({"is for maps only", "--turn", *text_option(values, "turn"), "", "Remove it"});
     if (request.charts && (request.animation || request.view_3d || !request.maps.empty()))
         problems.add({"cannot be combined with --map, --view or --animation", "--charts", "", "", ""});
-    if (!request.animation) {
-        if (request.beside || request.fly)
-            problems.add({"is for --animation only", request.fly ? "--fly" : "--beside", "", "", ""});
-        return request;
-    }
+    if (!request.animation) return request;
     const std::string ending = fs::path(*request.animation).extension().string();
-    if (ending != ".mp4" && ending != ".gif" && !request.animation->ends_with('/')) {
-        problems.add(
-            {"is not the name of an animation", "--animation", *request.animation, "FILE.mp4, FILE.gif, FOLDER/", ""});
-    }
-    if (request.fly && (!request.view_3d || request.beside))
-        problems.add({"needs --view 3d and one result", "--fly", "", "", ""});
+    if (ending != ".mp4" && ending != ".gif")
+        problems.add({"is not the name of an animation", "--animation", *request.animation, "FILE.mp4, FILE.gif", ""});
     if (!request.maps.empty()) request.animation_of = request.maps.front();
     if (request.maps.size() > 1 || (request.animation_of != "depth" && request.animation_of != "velocity" &&
                                     find_particle_quantity(request.animation_of) == nullptr))
@@ -290,55 +267,23 @@ struct DrawingPlace {
 /// replace a file not made by frana or belongs to another result.
 void prepare_place(const DrawingPlace& place, const std::vector<std::string>& files, const KeptFiles& kept,
                    Problems& problems) {
-    kept.check_pictures(files, place.option.c_str(), problems);
+    kept.check_pictures(files, place.option, problems);
     problems.throw_if_any();  // one problem per file
-    check_own(place.folder, files, place.option.c_str(), place.reads, problems);
+    check_own(place.folder, files, place.option, place.reads, problems);
     problems.throw_if_any();
     place.is_own ? make_drawing_folder(place.folder) : make_picture_folder(place.folder);
     begin_own(place.folder, files);
 }
 
-/// Its folder belongs to the run until the run ends.
-std::vector<std::string> own_result(const ResultReader& result) {
-    return result.under_way() ? std::vector<std::string>{} : std::vector<std::string>{result.directory()};
-}
-
-/// Pictures of a longer animation would remain among those of this one.
-void refuse_other_pictures(const std::string& folder, const std::vector<std::string>& files, Problems& problems) {
-    std::error_code error;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-        if (is_animation_picture(entry.path().filename().string()) &&
-            std::none_of(files.begin(), files.end(),
-                         [&](const std::string& file) { return fs::path(file).filename() == entry.path().filename(); }))
-            problems.add({"is a picture of another animation, and would remain", "--animation", entry.path().string(),
-                          "", "Choose another folder, or remove its pictures"});
-}
-
 void render_animation(const ResultReader& result, const MapSource& source, const Request& request, Size size,
-                      KeptFiles& kept) {
-    AnimationRequest animation{
-        animation_source(result, source, request.animation_of), {}, request.view_3d, request.fly, size};
-    if (request.beside) {
-        const ResultReader other(*request.beside, source.style.words.language());
-        MapSource second = other.map_source();
-        second.style = source.style;
-        if (second.crs_label != source.crs_label) {
-            throw Error(ErrorKind::input, Problem{"has another coordinate reference system than the result", "--beside",
-                                                  *request.beside, source.crs_label + ", not " + second.crs_label,
-                                                  "Run one of the scenes with the other's terrain.crs"});
-        }
-        animation.second = animation_source(other, second, request.animation_of);
-        kept.add_result(other.directory());
-    }
-    Problems problems;
-    const std::vector<std::string> files = animation_files(*request.animation, animation.first.frames.size());
+                      const KeptFiles& kept) {
+    const AnimationRequest animation{animation_source(result, source, request.animation_of), request.view_3d, size};
     const fs::path parent = fs::path(*request.animation).parent_path();
-    const std::string folder = parent.empty() ? "." : parent.string();
-    if (request.animation->ends_with('/')) refuse_other_pictures(folder, files, problems);
-    prepare_place({folder, "--animation", own_result(result)}, files, kept, problems);
+    Problems problems;
+    prepare_place({parent.empty() ? "." : parent.string(), "--animation", {result.directory()}}, {*request.animation},
+                  kept, problems);
     write_animation(animation, *request.animation);
-    record_files(files);
-    std::cout << *request.animation << '\n';
+    log_written({*request.animation});
 }
 
 void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool view_3d, const DrawingPlace& place,
@@ -368,20 +313,6 @@ void check_folder(const ResultReader& result, const Request& request, const MapS
     }
 }
 
-/// The run's folder belongs to the run until its end, and has only frames.
-void check_request_under_way(const ResultReader& result, const Request& request, Problems& problems) {
-    const std::string& folder = result.directory();
-    if (request.charts) {
-        problems.add({"needs a finished run", "--charts", "", "", "This run is under way in " + folder});
-    } else if (!request.animation && request.maps.empty()) {
-        problems.add({"is under way: it has only frames", "RESULT_DIR", folder, "",
-                      "Draw --map depth@SECONDS, --map velocity@SECONDS, or --animation FILE"});
-    } else if (!request.animation && !request.out) {
-        problems.add({"is under way: nothing is drawn into its folder", "RESULT_DIR", folder, "",
-                      "Name another folder with --out"});
-    }
-}
-
 /// The maps of differences; `source` becomes theirs.
 std::vector<MapLayer> difference_layers(const ResultReader& result, const Request& request, MapSource& source,
                                         Problems& problems) {
@@ -403,13 +334,12 @@ void render_result(const Values& values, const Request& request, Problems& probl
     const ResultReader result((values)["operand"].as<std::string>(), request.language);
     for (const char* option : {"dtm", "unit", "above"}) {
         if (values.count(option) > 0)
-            problems.add({"is for a RASTER, not for a result", (std::string("--") + option).c_str(), "", "", ""});
+            problems.add({"is for a RASTER, not for a result", std::string("--") + option, "", "", ""});
     }
     MapSource source = result.map_source();
     read_style(values, source.style, problems);
     source.title = text_option(values, "title").value_or(source.title);
     const std::string crs = result.grid().crs_wkt;
-    if (result.under_way()) check_request_under_way(result, request, problems);
     if (!source.style.background.empty()) {
         attempt(problems, [&] { gis::check_picture(source.style.background, crs, "--background"); });
     }
@@ -437,13 +367,13 @@ void render_result(const Values& values, const Request& request, Problems& probl
         render_animation(result, source, request, animation, kept);
     } else if (request.charts) {
         const std::string folder = request.out.value_or(result.path("charts"));
-        prepare_place({folder, "--out", own_result(result), !request.out}, chart_files(result, source, folder), kept,
+        prepare_place({folder, "--out", {result.directory()}, !request.out}, chart_files(result, source, folder), kept,
                       problems);
         log_written(draw_charts(result, source, folder, problems));
         problems.throw_if_any();
     } else {
         draw(source, layers, request.view_3d,
-             {request.out.value_or(result.path("maps")), "--out", own_result(result), !request.out}, kept);
+             {request.out.value_or(result.path("maps")), "--out", {result.directory()}, !request.out}, kept);
     }
 }
 
@@ -451,7 +381,7 @@ void render_raster(const Values& values, const Request& request, Problems& probl
     const std::string file = values["operand"].as<std::string>();
     for (const char* option : {"map", "animation", "charts", "difference"}) {
         if (values.count(option) > 0)
-            problems.add({"is for a result, not for a raster", (std::string("--") + option).c_str(), "", "", ""});
+            problems.add({"is for a result, not for a raster", std::string("--") + option, "", "", ""});
     }
     if (request.view_3d && values.count("dtm") == 0)
         problems.add({"needs a terrain", "--view", "3d", "", "Name it: --dtm RASTER"});

@@ -2,6 +2,7 @@
 #include "app/commands/command_line.h"
 
 #include <algorithm>
+#include <array>
 #include <boost/any.hpp>
 #include <boost/program_options/cmdline.hpp>
 #include <boost/program_options/parsers.hpp>
@@ -41,7 +42,7 @@ const std::vector<Command>& commands() {
         {"calibrate", "values that explain surveyed events, and how uncertain they stay", calibrate_form, cmd_calibrate,
          true},
         {"bench", "tests of frana: exact solutions, hard cases, throughput", bench_form, cmd_bench},
-        {"qgis-plugin", "put the plugin into a profile of QGIS, or remove it", qgis_plugin_form, cmd_qgis_plugin},
+        {"qgis-plugin", "put the plugin into a profile of QGIS", qgis_plugin_form, cmd_qgis_plugin},
     };
     return list;
 }
@@ -79,13 +80,24 @@ namespace {
 
 constexpr std::size_t k_least_help = 40, k_most_help = 80;  // columns of the options
 
+/// Options that went, and what to use.
+constexpr std::array<std::array<const char*, 2>, 7> k_gone_options{{
+    {"--beside", "Use --difference"},
+    {"--fly", "Draw --view 3d from one --camera"},
+    {"--legend", "Remove it: colours are in classes"},
+    {"--organisation", "Write it into --author"},
+    {"--background-licence", "Write it into --attribution"},
+    {"--schema", "Use --json: keys with types and limits"},
+    {"--uninstall", "Uninstall it in QGIS, Plugins"},
+}};
+
 /// An empty argument, from an unset variable of a script, would replace the intended folder or file.
 void refuse_empty_words(const options::variables_map& values, const CommandForm& form) {
     Problems problems;
     const auto check = [&](const std::string& name, const std::string& word) {
         if (!word.empty()) return;
-        problems.add(
-            {"is empty", (name == "operand" ? form.operand : "--" + name).c_str(), "", "", "Usage: " + form.usage});
+        problems.add({"is empty", name == "operand" ? Place(form.operand.c_str()) : Place("--" + name), "", "",
+                      "Usage: " + form.usage});
     };
     for (const auto& [name, value] : values) {
         const auto* option = form.options.find_nothrow(name, false);
@@ -124,6 +136,11 @@ std::optional<options::variables_map> parse_arguments(const CommandForm& form,
                            .style(unix_style & ~allow_guessing)
                            .run(),
                        values);
+    } catch (const options::unknown_option& unknown) {
+        for (const auto& [option, remedy] : k_gone_options)
+            if (unknown.get_option_name() == option)
+                throw Error(ErrorKind::input, Problem{"is no longer an option", option, "", "", remedy});
+        throw Error(ErrorKind::input, Problem{unknown.what(), "command line", "", "", "Usage: " + form.usage});
     } catch (const options::error& error) {
         throw Error(ErrorKind::input, Problem{error.what(), "command line", "", "", "Usage: " + form.usage});
     }

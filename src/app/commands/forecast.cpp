@@ -75,7 +75,8 @@ Trial try_coarse(const SceneReading& reading, const GridSpec& grid, int factor, 
     trial.work = work * squared * factor * rest;
     trial.steps = static_cast<double>(result.steps) * factor * rest;
     trial.particles_peak = static_cast<double>(result.particles_peak) * squared;
-    trial.path = ground_where(prepared.scene.terrain, result.raster("max_depth"), reading.scene.output.trace_threshold);
+    trial.path = ground_where(prepared.scene.terrain, result.raster(RasterName::max_depth),
+                              reading.scene.output.trace_threshold);
     trial.left = left_fraction(result);
     trial.meets_gap = result.stop_reason == StopReason::reached_no_data;
     trial.seconds = result.engine_seconds;

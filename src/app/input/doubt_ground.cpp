@@ -205,7 +205,7 @@ bool are_slopes(const Raster& ground) {
     return cells >= k_enough && static_cast<double>(std::min(peaks, pits)) > k_share * static_cast<double>(cells);
 }
 
-void tell(const GroundDoubts& doubts, const LookedAt& here, const Prepared& prepared, bool by_frana, RunLog& log) {
+void tell(const GroundDoubts& doubts, const LookedAt& here, const Prepared& prepared, RunLog& log) {
     const double working = prepared.scene.grid.cell_size;
     const std::string file = last_part(prepared.ground.file.path);
     if (prepared.ground.file.data_type == "Byte")
@@ -213,13 +213,10 @@ void tell(const GroundDoubts& doubts, const LookedAt& here, const Prepared& prep
     if (const auto& blocks = doubts.blocks) {
         const double side = std::min(blocks->columns, blocks->rows);
         // Working cells as large as the blocks are right again.
-        if (by_frana || side * here.cell_size > 1.1 * working) {
+        if (side * here.cell_size > 1.1 * working) {
             log.warn({worded(blocks->is_blurred
                                  ? worded("DTM {3}: {1} % of the path is copied cells, interpolated: take the original")
-                             : by_frana ? worded("DTM {3}: {1} % of the path is copied cells ({2} x {2}): set "
-                                                 "terrain.resampling = bilinear")
-                                        : worded("DTM {3}: {1} % of the path is copied cells ({2} x {2}): resample "
-                                                 "bilinear"),
+                                 : worded("DTM {3}: {1} % of the path is copied cells ({2} x {2}): resample bilinear"),
                              {whole_percent(blocks->share), numeral(number_text(side, 2)), file}),
                       true});
         }
@@ -264,9 +261,7 @@ void doubt_ground(const SceneReading& reading, Prepared& prepared, RunLog& log) 
     const GridSpec& grid = working.ground().grid;
     const std::string& own_crs = grid.crs_wkt.empty() ? grid.crs_wkt : prepared.ground.file.crs_wkt;
     const gis::CrsTransform to_working(own_crs, grid.crs_wkt, prepared.ground.file.bounds);
-    const bool by_frana = prepared.ground.used.resampling == "nearest";
-    std::optional<LookedAt> own;
-    if (!by_frana) own = on_own_cells(reading, prepared, working, to_working);
+    const std::optional<LookedAt> own = on_own_cells(reading, prepared, working, to_working);
     const LookedAt& here = own ? *own : working;
     if (are_slopes(working.ground())) {
         log.warn({worded("DTM {1} has 0 to 90, as uneven as slopes: take elevations",
@@ -276,7 +271,7 @@ void doubt_ground(const SceneReading& reading, Prepared& prepared, RunLog& log) 
         return;
     }
     tell_of_unit(working, prepared, log);
-    tell(ground_doubts(here.ground(), here.path, here.cell_size), here, prepared, by_frana, log);
+    tell(ground_doubts(here.ground(), here.path, here.cell_size), here, prepared, log);
     prepared.scene.warnings += log.take_warnings();
 }
 

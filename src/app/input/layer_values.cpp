@@ -15,7 +15,7 @@
 namespace frana::app {
 
 gis::LayerChoice layer_choice(const SceneReading& reading, const LayerSpec& spec, const std::string& key) {
-    return {spec.name.value_or(""), spec.filter.value_or(""),
+    return {spec.filter.value_or(""),
             spec.crs ? reading.session.read(gis::crs_from_user, *spec.crs, reading.where(key + "-crs")) : ""};
 }
 

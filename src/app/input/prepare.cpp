@@ -148,7 +148,6 @@ std::map<std::string, std::string> resolved_choices(const SceneSpec& spec, const
     chosen["terrain.crs"] = ground.crs_label;
     chosen["terrain.cell-size"] = shortest_text(grid.cell_size);
     chosen["terrain.bounds"] = extent_text(grid.bounds());
-    chosen["terrain.resampling"] = ground.used.resampling;
     if (spec.material.of<CoulombFriction>().friction_angle || spec.material.of<CoulombFriction>().friction_coefficient)
         chosen["material.friction-coefficient"] =
             shortest_text(spec.material.of<CoulombFriction>().bed_friction_coefficient());

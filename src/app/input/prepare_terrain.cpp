@@ -199,14 +199,6 @@ void check_vertical_unit(const SceneReading& reading, const gis::RasterInfo& fil
                         "Set terrain.vertical-unit = metre, foot or us-survey-foot"});
 }
 
-gis::Resampling resampling_of(const std::string& name) {
-    if (name == "nearest") return gis::Resampling::nearest;
-    if (name == "bilinear") return gis::Resampling::bilinear;
-    if (name == "cubic") return gis::Resampling::cubic;
-    if (name == "average") return gis::Resampling::average;
-    return gis::Resampling::automatic;
-}
-
 /// Whether the DTM can be read where the flow comes. Fluid that lies everywhere needs all of the ground.
 bool can_read_on_demand(const SceneSpec& scene) {
     const auto& lying = scene.structured.initial_fluid_depth;
@@ -297,7 +289,7 @@ void read_on_demand(const SceneReading& reading, const GridSpec& grid, TerrainIn
     const TerrainSpec& spec = reading.scene.terrain;
     const Place where = reading.where("terrain.dtm");
     const auto file = std::make_shared<const gis::RasterOnDemand>(
-        spec.dtm, grid, spec.dtm_crs ? input.file.crs_wkt : "", resampling_of(spec.resampling), spec.vertical_unit,
+        spec.dtm, grid, spec.dtm_crs ? input.file.crs_wkt : "", gis::Resampling::automatic, spec.vertical_unit,
         spec.nodata_value, where);
     gis::RasterRead known = file->known();
     log.warn_of(worded("DTM"), known.warnings);
@@ -348,7 +340,7 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
         return input;
     }
     gis::RasterRead read = reading.session.read(gis::read_raster_on, spec.dtm, grid,
-                                                spec.dtm_crs ? input.file.crs_wkt : "", resampling_of(spec.resampling),
+                                                spec.dtm_crs ? input.file.crs_wkt : "", gis::Resampling::automatic,
                                                 spec.vertical_unit, spec.nodata_value, reading.where("terrain.dtm"));
     log.warn_of(worded("DTM"), read.warnings);
     if (read.zero_rim_cells > 0) {

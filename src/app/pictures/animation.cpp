@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pictures/animation.h"
 
-#include <fnmatch.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <memory>
 #include <type_traits>
 
 #include "analysis/trace.h"
@@ -39,44 +36,6 @@ std::string time_text(double seconds, int decimals, const Words& words) {
     return words("t = {1} s", {words.number(text.data())});
 }
 
-std::string picture_name(std::size_t frame) {
-    std::array<char, 32> name{};
-    std::snprintf(name.data(), name.size(), "frame_%04zu.png", frame);
-    return name.data();
-}
-
-/// An animation file, or a folder of pictures.
-class AnimationOut {
-  public:
-    AnimationOut(const std::string& path, Size size, std::size_t frames) : path_(path) {
-        if (path.ends_with('/')) return;
-        // A GIF stores the duration of each picture; H.264 players need a constant rate.
-        const bool gif = path.ends_with(".gif");
-        const double pace = std::clamp(static_cast<double>(frames) / k_animation_seconds, 4.0, k_playback);
-        repeats_ = gif ? 1 : std::max(1, static_cast<int>(std::lround(k_playback / pace)));
-        movie_ = std::make_unique<render::MovieWriter>(path, size.width, size.height, gif ? pace : k_playback);
-        seconds_ = static_cast<double>(frames) * repeats_ / (gif ? pace : k_playback);
-    }
-    [[nodiscard]] double seconds() const noexcept { return seconds_; }  ///< of playback; 0: a folder
-    void add(const render::Image& image) {
-        if (!movie_) {
-            render::write_png(path_ + picture_name(count_++), image);
-            return;
-        }
-        movie_->add(image, repeats_);
-    }
-    void finish() {
-        if (movie_) movie_->finish();
-    }
-
-  private:
-    std::string path_;
-    std::unique_ptr<render::MovieWriter> movie_;
-    int repeats_ = 1;
-    std::size_t count_ = 0;
-    double seconds_ = 0;
-};
-
 std::string lower_case_first(std::string words) {
     if (!words.empty()) words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[0])));
     return words;
@@ -95,14 +54,6 @@ render::Image draw_frame(Animator& animator, const StoredFrame& frame, const Ani
     const Raster values = gis::read_result_raster(file);
     require_cells(values.grid, file, of.layer.values.grid, of.layer_file);
     return animator.frame(values, subtitle);
-}
-
-/// Returns the frame nearest to a time: those of two runs differ by up to a step although the same times were
-/// requested.
-const StoredFrame& frame_at(const std::vector<StoredFrame>& frames, double time) {
-    return *std::min_element(frames.begin(), frames.end(), [&](const StoredFrame& a, const StoredFrame& b) {
-        return std::abs(a.time - time) < std::abs(b.time - time);
-    });
 }
 
 std::string pace_words(const AnimationSource& animation, double seconds) {
@@ -129,64 +80,22 @@ Spec animation_spec(const AnimationSource& animation, Size size, double seconds)
     return spec;
 }
 
-/// Gives two results a common scale and terrain.
-void use_common_scale(render::MapSpec& a, render::MapSpec& b, const MapLayer& greater) {
-    a.classes = b.classes = greater.classes;
-    const auto left = render::data_bounds(*a.layer), right = render::data_bounds(*b.layer);
-    if (!left || !right) return;
-    Bounds both{std::min(left->west, right->west), std::min(left->south, right->south),
-                std::max(left->east, right->east), std::max(left->north, right->north)};
-    const double margin = 0.14 * std::max(both.width(), both.height());
-    both = {both.west - margin, both.south - margin, both.east + margin, both.north + margin};
-    a.window = b.window = both;
-}
-
-void use_common_scale(render::ViewSpec& a, render::ViewSpec& b, const MapLayer& greater) {
-    a.classes = b.classes = greater.classes;
-    render::ViewLayout layout;
-    render::draw_view(a, &layout);
-    a.camera = b.camera = layout.camera;
-}
-
-void beside(render::Image& page, const render::Image& part, int left) {
-    for (int row = 0; row < part.height; ++row)
-        std::copy_n(part.pixel(0, row), 3 * static_cast<std::size_t>(part.width), page.pixel(left, row));
-}
-
 template <class Animator, class Spec>
 bool animation(const AnimationRequest& request, const std::string& path) {
-    const std::vector<StoredFrame>& frames = request.first.frames;
-    AnimationOut out(path, request.size, frames.size());
-    const Size half{request.second ? request.size.width / 2 : request.size.width, request.size.height};
-    Spec left = animation_spec<Spec>(request.first, half, out.seconds());
-    std::optional<Animator> right;
-    if (request.second) {
-        Spec other =
-            animation_spec<Spec>(*request.second, {request.size.width - half.width, half.height}, out.seconds());
-        const bool first_greater = maximum(request.first.layer.values) >= maximum(request.second->layer.values);
-        use_common_scale(left, other, first_greater ? request.first.layer : request.second->layer);
-        right.emplace(other);
-    }
-    Animator animator(left);
-    [[maybe_unused]] double along = 0;  // from the flight's start to its end
+    const std::vector<StoredFrame>& frames = request.source.frames;
+    // A GIF stores the duration of each picture; H.264 players need a constant rate.
+    const bool gif = path.ends_with(".gif");
+    const double pace = std::clamp(static_cast<double>(frames.size()) / k_animation_seconds, 4.0, k_playback),
+                 rate = gif ? pace : k_playback;
+    const int repeats = gif ? 1 : std::max(1, static_cast<int>(std::lround(k_playback / pace)));
+    render::MovieWriter movie(path, request.size.width, request.size.height, rate);
+    const double seconds = static_cast<double>(frames.size()) * repeats / rate;
+    Animator animator(animation_spec<Spec>(request.source, request.size, seconds));
     for (const StoredFrame& frame : frames) {
         if (request.stop_requested && request.stop_requested()) return false;
-        if constexpr (std::is_same_v<Animator, render::ViewAnimator>) {
-            if (request.fly) animator.fly(along);
-            along += 1 / static_cast<double>(std::max<std::size_t>(1, frames.size() - 1));
-        }
-        const render::Image picture = draw_frame(animator, frame, request.first);
-        if (!right) {
-            out.add(picture);
-            continue;
-        }
-        render::Image page(request.size.width, request.size.height);
-        beside(page, picture, 0);
-        const StoredFrame& other = frame_at(request.second->frames, frame.time);
-        beside(page, draw_frame(*right, other, *request.second), half.width);
-        out.add(page);
+        movie.add(draw_frame(animator, frame, request.source), repeats);
     }
-    out.finish();
+    movie.finish();
     return true;
 }
 
@@ -196,17 +105,6 @@ Size animation_size(Size map) {
     constexpr int k_widest = 1280;
     if (map.width <= k_widest) return map;
     return {k_widest, std::max(480, map.height * k_widest / map.width)};
-}
-
-std::vector<std::string> animation_files(const std::string& path, std::size_t frames) {
-    if (!path.ends_with('/')) return {path};
-    std::vector<std::string> files;
-    for (std::size_t i = 0; i < frames; ++i) files.push_back(path + picture_name(i));
-    return files;
-}
-
-bool is_animation_picture(const std::string& name) {
-    return ::fnmatch("frame_*.png", name.c_str(), 0) == 0;
 }
 
 AnimationSource animation_source(const ResultReader& result, const MapSource& source, const std::string& quantity) {

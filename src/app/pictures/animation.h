@@ -30,25 +30,16 @@ struct AnimationSource {
 /// has none.
 AnimationSource animation_source(const ResultReader& result, const MapSource& source, const std::string& quantity);
 
-/// An animation; 2-D or 3-D, of one result or of two beside each other (with the colours, the window and the camera of
-/// both, and of the second the frame nearest in time to the first's).
+/// An animation; 2-D or 3-D.
 struct AnimationRequest {
-    AnimationSource first;
-    std::optional<AnimationSource> second;
+    AnimationSource source;
     bool view_3d = false;
-    bool fly = false;                           ///< 3-D: the camera moves from the flow's top to its front
-    Size size;                                  ///< of the whole picture
+    Size size;
     std::function<bool()> stop_requested = {};  ///< polled before every frame; empty: never
 };
 
-/// Returns the files of an animation of a number of frames.
-std::vector<std::string> animation_files(const std::string& path, std::size_t frames);
-/// Returns whether a file of this name is one of those in a folder of pictures.
-bool is_animation_picture(const std::string& name);
-
 /// Writes the frames of a result as an animation: .mp4 at 25 frames per second (a frame of the result is shown longer
-/// if there are few), .gif, or, if `path` ends in '/', PNG files frame_0000.png ... in that folder, which must exist.
-/// Returns false if it was stopped before the end: then there is no animation. Throws Error.
+/// if there are few) or .gif. Returns false if it was stopped before the end: then there is no animation. Throws Error.
 bool write_animation(const AnimationRequest& request, const std::string& path);
 
 }  // namespace frana::app

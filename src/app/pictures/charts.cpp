@@ -126,9 +126,9 @@ NamedChart profile_chart(const Columns& table, const std::string& line, const st
     const Words& words = source.style.words;
     const std::string metres = words("distance along the line [m]");
     render::ChartPanel relief{words("Surfaces"), metres, words("elevation [m]"), {}};
-    relief.series = {{words("final surface"), k_vermilion, surface("final_depth"), 2, Stroke::solid, foot},
+    relief.series = {{words("final surface"), k_vermilion, surface(RasterName::final_depth), 2, Stroke::solid, foot},
                      {words("initial surface"), k_green, surface("release_m"), 2, Stroke::dotted},
-                     {words("bed plus maximum depth"), k_blue, surface("max_depth"), 2, Stroke::dashed},
+                     {words("bed plus maximum depth"), k_blue, surface(RasterName::max_depth), 2, Stroke::dashed},
                      {words("bed"), k_ground, on_line(bed), 2.4}};
     relief.fraction = 1.5;
     // Tables of older results lack the column.
@@ -141,11 +141,11 @@ NamedChart profile_chart(const Columns& table, const std::string& line, const st
                               words("depth [m]"),
                               {},
                               {0}};
-    depths.series = {{words("maximum"), k_blue, on_line(column("max_depth")), 2, Stroke::dashed},
+    depths.series = {{words("maximum"), k_blue, on_line(column(RasterName::max_depth)), 2, Stroke::dashed},
                      {words("released"), k_green, on_line(column("release_m")), 2, Stroke::dotted},
-                     {words("at the end"), k_vermilion, on_line(column("final_depth")), 2}};
+                     {words("at the end"), k_vermilion, on_line(column(RasterName::final_depth)), 2}};
     render::ChartPanel speeds{words("Greatest speed, along the bed"), metres, words("speed [m/s]"), {}, {0}};
-    speeds.series = {{words("maximum"), k_blue, on_line(column("max_velocity")), 2}};
+    speeds.series = {{words("maximum"), k_blue, on_line(column(RasterName::max_velocity)), 2}};
     const std::string own = elided(text_of_cell(line), k_longest_name);
     const std::string name =
         own == "flow path" ? words("profile along the flow path") : words("profile along {1}", {own});

@@ -16,7 +16,7 @@
 namespace frana::app {
 
 /// Returns the page of a chart without its panels, with the texts that maps have. Below the title: `note`, then the
-/// scenario. At the foot: the chart's file, sources and author of the data; organisation, author and date.
+/// scenario. At the foot: the chart's file, sources and author of the data; author and date.
 /// @param note about this chart; empty: none
 /// @param panels that it will have beside and below each other; 0: below each other
 render::Chart chart_sheet(const MapSource& source, const std::string& what, const std::string& note,

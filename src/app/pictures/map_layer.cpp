@@ -97,7 +97,7 @@ std::string class_name(const std::string& label) {
     return name;
 }
 
-constexpr const char* k_degree_map = "hazard_degree";
+constexpr const char* k_degree_map = RasterName::hazard_degree;
 
 void hide_zeros(Raster& raster) {
     raster.values.change_each_stored([](std::size_t, double& value) {
@@ -190,9 +190,10 @@ std::vector<std::string> friction_notes(const Metadata& metadata, const Words& w
 
 /// Whether a raster of maxima of a result omits what flew over its cells.
 bool omits_flights(const std::string& path, const std::string& kind) {
-    constexpr std::array k_of_maxima{"max_depth", "max_velocity", "max_pressure", "hazard"};
+    constexpr std::array k_of_maxima{RasterName::max_depth, RasterName::max_velocity, RasterName::max_pressure,
+                                     "hazard"};
     return std::find(k_of_maxima.begin(), k_of_maxima.end(), kind) != k_of_maxima.end() &&
-           std::filesystem::exists(std::filesystem::path(path).parent_path() / raster_file("jump_height"));
+           std::filesystem::exists(std::filesystem::path(path).parent_path() / raster_file(RasterName::jump_height));
 }
 
 /// The name of the table's row that frana wrote to a band, before its description.

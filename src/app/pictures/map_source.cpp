@@ -19,6 +19,7 @@
 #include "gis/crs/crs_transform.h"
 #include "gis/raster/picture_file.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/result_rasters.h"
 #include "render/canvas/lettering.h"
 #include "render/map/map_ground.h"
 
@@ -72,7 +73,7 @@ std::string own_title(const MapSource& source) {
     return elided(valid_utf8(source.title), k_longest);
 }
 
-/// Organisation, author and date, and the logo, whose file has been checked.
+/// Author and date, and the logo, whose file has been checked.
 render::TitleBlock title_block(const MapStyle& style) {
     render::TitleBlock block;
     block.lines = block_lines(style);
@@ -107,7 +108,6 @@ Spec furnished(const MapSource& source, const MapLayer& layer) {
     spec.palette = layer.palette;
     spec.classes = layer.classes;
     spec.categories = layer.categories;
-    spec.continuous = source.style.continuous && layer.categories.empty();
     if (source.terrain.grid.columns > 0) spec.terrain = &source.terrain;
     if (layer.dots)
         spec.dots = &*layer.dots;
@@ -214,7 +214,7 @@ std::string sentences(const std::string& first, const std::string& second) {
 
 std::vector<std::string> block_lines(const MapStyle& style) {
     std::vector<std::string> lines;
-    for (const std::string& line : {style.organisation, style.author, style.words.date(style.date)})
+    for (const std::string& line : {style.author, style.words.date(style.date)})
         if (!line.empty()) lines.push_back(elided(valid_utf8(line), k_longest_line));
     return lines;
 }
@@ -238,10 +238,8 @@ std::string map_sources(const MapSource& source) {
     if (!source.terrain_source.empty())
         parts.push_back(words.labelled(words("Terrain"), elided(valid_utf8(source.terrain_source), k_longest_source)));
     if (!source.style.background.empty()) {
-        const std::string& licence = source.style.background_licence;
         const std::string file = std::filesystem::path(source.style.background).filename().string();
-        parts.push_back(
-            words.labelled(words("Base map"), elided(valid_utf8(licence.empty() ? file : licence), k_longest_source)));
+        parts.push_back(words.labelled(words("Base map"), elided(valid_utf8(file), k_longest_source)));
     }
     if (const std::string by = page_attribution(source); !by.empty()) parts.push_back(by);
     parts.push_back(own);
@@ -332,7 +330,7 @@ std::function<Point(Point)> longitude_latitude(const std::string& crs_wkt) {
 render::ViewSpec view_spec(const MapSource& source, const MapLayer& layer) {
     if (source.terrain.grid.columns == 0)
         throw Error(ErrorKind::input, Problem{"is missing in the result, and a view needs a terrain",
-                                              raster_file("dtm"), "", "", "Restore it, or draw maps"});
+                                              raster_file(RasterName::dtm), "", "", "Restore it, or draw maps"});
     render::ViewSpec spec = furnished<render::ViewSpec>(source, layer);
     spec.vertical_exaggeration = source.style.exaggeration;
     spec.camera = source.style.camera;

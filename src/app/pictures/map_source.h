@@ -39,17 +39,15 @@ std::vector<std::string> map_notes(const MapFacts& facts, const Words& words);
 struct MapStyle {
     Size size = *size_from_text("auto");
     std::vector<std::string> formats{"png"};  ///< of png, pdf, svg, tif
-    bool continuous = false;                  ///< legend
     std::string background;                   ///< orthophoto or topographic raster; empty: the relief
     std::string attribution;                  ///< of data and author, at the foot
-    std::string background_licence;           ///< the same, of the background
     std::optional<double> scale;              ///< of maps on paper, n of 1 : n
     std::optional<double> turn_deg{0};  ///< of maps on their page; none: the flow's longer axis along the page's side
-    std::string author, organisation, logo, date;  ///< title block of maps; empty: none
-    double exaggeration = 1;                       ///< of heights in views
-    bool sky = true;                               ///< in views; else white
-    std::optional<render::Camera> camera;          ///< of views; none: derived from the flow's path
-    Words words{};                                 ///< the language of all texts
+    std::string author, logo, date;     ///< title block of maps; empty: none
+    double exaggeration = 1;            ///< of heights in views
+    bool sky = true;                    ///< in views; else white
+    std::optional<render::Camera> camera;  ///< of views; none: derived from the flow's path
+    Words words{};                         ///< the language of all texts
 };
 
 /// Common data of all maps of one result, its texts in the language of its style. Made from a result directory alone.
@@ -82,7 +80,7 @@ std::string date_on_maps(const std::optional<std::string>& chosen, const std::st
 std::string scenario_line(const MapSource& source);
 /// "A.  B"
 std::string sentences(const std::string& first, const std::string& second);
-/// Returns organisation, author and date, those that are known.
+/// Returns author and date, those that are known.
 std::vector<std::string> block_lines(const MapStyle& style);
 /// Returns the parts joined as at the foot of a page, without empty ones.
 std::string foot_line(const std::vector<std::string>& parts);

@@ -10,7 +10,6 @@
 
 #include "analysis/ground_statistics.h"
 #include "app/pictures/result_numbers.h"
-#include "app/store/own_files.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
 #include "app/store/vector_layers.h"
@@ -89,9 +88,9 @@ std::vector<render::Outline> exposure_marks(const std::string& gpkg, const std::
 }  // namespace
 
 const ParticleQuantity* find_particle_quantity(const std::string& name) {
-    static constexpr ParticleQuantity k_all[] = {
-        {"particles", "speed_ms", "velocity", worded("Speed of particles")},
-        {"particle_cohesion", "cohesion_ratio", "cohesion_ratio", worded("Cohesion left of particles")}};
+    static constexpr ParticleQuantity k_all[] = {{"particles", "speed_ms", "velocity", worded("Speed of particles")},
+                                                 {"particle_cohesion", RasterName::cohesion_ratio,
+                                                  RasterName::cohesion_ratio, worded("Cohesion left of particles")}};
     const auto* const found =
         std::find_if(std::begin(k_all), std::end(k_all), [&](const ParticleQuantity& q) { return name == q.name; });
     return found == std::end(k_all) ? nullptr : found;
@@ -188,8 +187,6 @@ void add_files_of(const ResultRaster& row, const std::string& folder, std::vecto
 
 ResultReader::ResultReader(std::string directory, std::optional<Language> language) : directory_(std::move(directory)) {
     while (directory_.size() > 1 && directory_.back() == '/') directory_.pop_back();
-    if (const std::string partial = partial_folder(directory_); !fs::exists(directory_) && is_being_built(partial))
-        directory_ = partial;
     if (!fs::is_directory(directory_))
         throw Error(ErrorKind::input,
                     Problem{"is not a folder", "RESULT_DIR", directory_, "", "Name a result directory"});
@@ -198,13 +195,11 @@ ResultReader::ResultReader(std::string directory, std::optional<Language> langua
         format && *format > k_scene_format)
         throw newer(path(k_scene_file), *format, k_scene_format);
     words_ = Words(language ? *language : own_language());
-    if (under_way() || is_of_study()) return;
+    if (is_of_study()) return;
     for (const ResultRaster& row : main_rasters())
         if (has(row.name + ".tif")) return;
-    throw Error(ErrorKind::input,
-                Problem{"contains no result: none of its rasters is there", "RESULT_DIR", directory_,
-                        "a directory that `frana run` wrote",
-                        has(raster_file("dtm")) ? "The run has just begun; wait for the first frame" : ""});
+    throw Error(ErrorKind::input, Problem{"contains no result: none of its rasters is there", "RESULT_DIR", directory_,
+                                          "a directory that `frana run` wrote", ""});
 }
 
 std::string ResultReader::path(const std::string& name) const {
@@ -224,7 +219,8 @@ void ResultReader::require(const std::string& name) const {
 }
 
 Raster ResultReader::vertical_raster(const std::string& name) const {
-    return scene_value("output.depth") == k_normal_depth ? vertical_depth(raster(name), raster("bed")) : raster(name);
+    return scene_value("output.depth") == k_normal_depth ? vertical_depth(raster(name), raster(RasterName::bed))
+                                                         : raster(name);
 }
 
 Raster ResultReader::raster(const std::string& name) const {
@@ -299,7 +295,7 @@ const GridSpec& ResultReader::grid() const {
 }
 
 std::string ResultReader::grid_raster() const {
-    return under_way() ? "dtm" : drawable().front();
+    return drawable().front();
 }
 
 const std::vector<StoredFrame>& ResultReader::frames() const {
@@ -310,7 +306,7 @@ const std::vector<StoredFrame>& ResultReader::frames() const {
 const MapLayer& ResultReader::greatest(const std::string& quantity) const {
     const auto known = greatest_.find(quantity);
     if (known != greatest_.end()) return known->second;
-    if (!under_way() && find_result_raster("max_" + quantity) != nullptr) {
+    if (find_result_raster("max_" + quantity) != nullptr) {
         require("max_" + quantity + ".tif");
         return greatest_.emplace(quantity, map_layer("max_" + quantity)).first->second;
     }
@@ -364,7 +360,7 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
         layer.source.insert(0, "frames/");
         layer.name = kind + "_t" + number_text(nearest->time, 6);
         // The greatest values over time define the colours, so that maps of different times are comparable.
-        const bool over_frames = under_way() || find_result_raster("max_" + kind) == nullptr;
+        const bool over_frames = find_result_raster("max_" + kind) == nullptr;
         if (over_frames || has("max_" + kind + ".tif")) layer.classes = greatest(kind).classes;
         show_figures_of(nearest->time, layer);
         return layer;
@@ -381,13 +377,13 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
         return layer;
     }
     const std::string study = convergence_directory(directory_) + "/" + name + ".tif";
-    if (name == "uncertainty" && fs::exists(study)) return read_map_layer(study, classes(), words_);
+    if (name == RasterName::uncertainty && fs::exists(study)) return read_map_layer(study, classes(), words_);
     std::string known = joined(drawable(), ", ");
     if (has(k_frame_list)) {
         known += ", depth@SECONDS, velocity@SECONDS, particles@SECONDS";
         for (const ResultRaster& row : result_rasters())
             if (row.in_frames && present(row.name)) known += ", " + row.name + "@SECONDS";
-        if (present("cohesion_ratio")) known += ", particle_cohesion@SECONDS";
+        if (present(RasterName::cohesion_ratio)) known += ", particle_cohesion@SECONDS";
     }
     throw Error(ErrorKind::input, Problem{"is not a raster of this result", "map", name, known, ""});
 }
@@ -454,7 +450,7 @@ MapSource ResultReader::map_source(const std::optional<MainStatistics>& statisti
     source.crs_label = gis::crs_name(grid.crs_wkt);
     source.convergence_deg =
         gis::meridian_convergence_deg(grid.crs_wkt, {(grid.west + grid.east()) / 2, (grid.south() + grid.north) / 2});
-    if (has(raster_file("dtm"))) source.terrain = raster_on(grid, "dtm");
+    if (has(raster_file(RasterName::dtm))) source.terrain = raster_on(grid, RasterName::dtm);
     source.release = outline("release", grid.crs_wkt);
     source.release_names = release_names(grid.crs_wkt);
     source.scar = outline("scar", grid.crs_wkt);
@@ -465,15 +461,10 @@ MapSource ResultReader::map_source(const std::optional<MainStatistics>& statisti
         scene_value("terrain.source").value_or(dtm ? fs::path(*dtm).filename().string() : std::string());
     source.style = style();
     source.longitude_latitude = longitude_latitude(grid.crs_wkt);
-    if (under_way()) {
-        source.subtitle =
-            words_("run under way, {1} s simulated so far", {words_.number(number_text(frames().back().time, 3))});
-        source.extent = greatest("depth").values;
-    }
     if (is_of_study()) add_study(source);
     if (!has("max_depth.tif") || !has("release.tif")) return source;
     const Raster release = raster_on(grid, "release");
-    Raster max_depth = raster_on(grid, "max_depth");
+    Raster max_depth = raster_on(grid, RasterName::max_depth);
     if (has(k_series_file)) {
         const MapFacts known = facts(statistics);
         source.subtitle = map_subtitle(known, words_);

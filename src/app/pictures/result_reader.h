@@ -14,6 +14,7 @@
 #include "app/store/result_files.h"
 #include "core/grid_spec.h"
 #include "params/grammar/ini_file.h"
+#include "params/keys/result_rasters.h"
 #include "render/map/map2d.h"
 
 namespace frana::app {
@@ -36,12 +37,10 @@ render::Dots read_particle_dots(const std::string& path, const ParticleQuantity&
 /// another would be drawn in the wrong place.
 void require_cells(const GridSpec& grid, const std::string& file, const GridSpec& expected, const std::string& other);
 
-/// A result directory, read from its files alone. Parts missing in an older or foreign result are omitted; an
-/// unfinished run has its terrain and its frames so far.
+/// A result directory, read from its files alone. Parts missing in an older or foreign result are omitted.
 class ResultReader {
   public:
-    /// If the directory does not exist, but one in which it is being built does, reads that. Throws Error(input) if
-    /// there is neither, or nothing of a result in it.
+    /// Throws Error(input) if there is none, or nothing of a result in it.
     /// @param language of all texts; none: its own
     explicit ResultReader(std::string directory, std::optional<Language> language = std::nullopt);
 
@@ -75,17 +74,15 @@ class ResultReader {
     [[nodiscard]] MapLayer particle_layer(const StoredFrame& frame, const ParticleQuantity& quantity) const;
     /// Returns the names of the run's rasters that can be drawn; terrain and bed are under all maps and not included.
     [[nodiscard]] std::vector<std::string> drawable() const;
-    /// As listed at the first call, at least one; for an unfinished run those written so far. Throws Error(input).
+    /// As listed at the first call, at least one. Throws Error(input).
     [[nodiscard]] const std::vector<StoredFrame>& frames() const;
-    /// Whether its run is unfinished: it has frames, no maxima, and no summary, which comes last.
-    [[nodiscard]] bool under_way() const { return !has(k_summary_file) && !has("max_depth.tif") && has(k_frame_list); }
     /// Whether it is the combined result of many runs (`frana ensemble`).
     [[nodiscard]] bool is_of_study() const;
     /// Returns what is known of the whole flow at each of these times [s]: lines for a map, from the nearest row of
     /// the time series; none without it.
     [[nodiscard]] std::vector<std::vector<std::string>> figures_at(const std::vector<double>& times) const;
 
-    /// The maximum over time of a raster of the frames: max_NAME.tif, or else the greatest values of the frames so far.
+    /// The maximum over time of a raster of the frames: max_NAME.tif, or else the greatest values of the frames.
     /// Throws Error(input).
     [[nodiscard]] const MapLayer& greatest(const std::string& quantity) const;
     /// The grid of its rasters, from the first of them.
@@ -105,7 +102,7 @@ class ResultReader {
     [[nodiscard]] std::vector<std::string> release_names(const std::string& crs_wkt) const;
     [[nodiscard]] MapFacts facts(const std::optional<MainStatistics>& statistics) const;
 
-    static constexpr const char* k_hit_count = "hit_count";  ///< a raster that every study has
+    static constexpr const char* k_hit_count = RasterName::hit_count;  ///< a raster that every study has
     /// That of its scene or, of a study, of its summary; English in older results.
     [[nodiscard]] Language own_language() const;
     void add_study(MapSource& source) const;

@@ -98,12 +98,7 @@ Language ResultReader::own_language() const {
 }
 
 ClassSpec ResultReader::classes() const {
-    static const std::vector<Parameter>& k_keys = scene_parameters();
-    SceneSpec scene;
-    for (const Parameter& key : k_keys)
-        if (key.name().starts_with("output.classes"))
-            if (const auto text = scene_value(key.name())) key.read(scene, *text);
-    return scene.output.classes;
+    return {scene_value("output.classes") != k_classes_to_maximum};
 }
 
 MapStyle ResultReader::style() const {
@@ -111,13 +106,10 @@ MapStyle ResultReader::style() const {
     style.words = words_;
     if (const auto size = size_from_text(scene_value("output.map-size").value_or(""))) style.size = *size;
     if (const auto formats = scene_value("output.map-formats")) style.formats = words_of(*formats);
-    style.continuous = scene_value("output.map-legend") == "continuous";
     style.background = scene_value("output.map-background").value_or("");
     style.attribution = scene_value("output.map-attribution").value_or("");
-    style.background_licence = scene_value("output.map-background-licence").value_or("");
     if (const auto scale = scene_value("output.map-scale")) style.scale = number_from_text(*scale);
     style.author = scene_value("output.map-author").value_or("");
-    style.organisation = scene_value("output.map-organisation").value_or("");
     style.logo = scene_value("output.map-logo").value_or("");
     style.date = date_on_maps(scene_value("output.map-date"), run_date());
     return style;

@@ -15,6 +15,7 @@
 #include "app/store/scene_identity.h"
 #include "core/error.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/result_rasters.h"
 
 namespace frana::app {
 namespace {
@@ -39,12 +40,13 @@ std::optional<Comparison> comparison_of(const Prepared& prepared, const std::str
     const ResultReader result(directory);
     if (!result.has(raster_file("comparison"))) return std::nullopt;
     ComparisonInput input = surveyed(prepared);
-    input.depth = result.raster("max_depth");
-    input.bed = result.raster("bed");
+    input.depth = result.raster(RasterName::max_depth);
+    input.bed = result.raster(RasterName::bed);
     input.release = result.raster("release");
     input.inflows = flow_tops(read_main_statistics(directory));
-    input.final_depth = result.vertical_raster("final_depth");
-    if (result.has(raster_file("elevation_change"))) input.elevation_change = result.raster("elevation_change");
+    input.final_depth = result.vertical_raster(RasterName::final_depth);
+    if (result.has(raster_file(RasterName::elevation_change)))
+        input.elevation_change = result.raster(RasterName::elevation_change);
     return compare_with_survey(input, log);
 }
 

@@ -91,7 +91,7 @@ bool shows_reached_only(const Prepared& prepared) {
 std::optional<CellWindow> reached_window(const Prepared& prepared, const RunResult& result) {
     const bool finished = result.stop_reason != StopReason::requested && result.run_problems.empty();
     if (!finished || !shows_reached_only(prepared)) return std::nullopt;
-    const GridSpec& grid = result.raster("max_depth").grid;
+    const GridSpec& grid = result.raster(RasterName::max_depth).grid;
     Box box(grid);
     for (const NamedRaster& raster : result.rasters)
         if (find_result_raster(raster.name)->is_drawn()) box.include(raster.values);
@@ -126,14 +126,14 @@ ComparisonInput comparison_input(const Finished& run) {
     ComparisonInput input = surveyed(run.prepared);
     if (input.survey.empty()) return input;
     input.metadata = result_tags(run.prepared, run.result);
-    input.depth = run.result.raster("max_depth");
-    input.bed = run.result.raster("bed");
+    input.depth = run.result.raster(RasterName::max_depth);
+    input.bed = run.result.raster(RasterName::bed);
     input.release = run.result.raster("release");
     input.inflows = run.result.inflow_places;
-    input.final_depth = run.result.depth_is_normal
-                            ? vertical_depth(run.result.raster("final_depth"), run.result.raster("bed"))
-                            : run.result.raster("final_depth");
-    input.elevation_change = run.result.raster("elevation_change");
+    input.final_depth = run.result.depth_is_normal ? vertical_depth(run.result.raster(RasterName::final_depth),
+                                                                    run.result.raster(RasterName::bed))
+                                                   : run.result.raster(RasterName::final_depth);
+    input.elevation_change = run.result.raster(RasterName::elevation_change);
     return input;
 }
 
@@ -172,11 +172,13 @@ std::optional<ExposureTotals> publish_exposure(const Prepared& prepared, const R
     const auto& layer = prepared.extra.exposure;
     if (!layer) return std::nullopt;
     const Raster& terrain = prepared.scene.terrain;
-    const bool is_known = !terrain.values.is_tiled() && terrain.grid.same_cells(result.raster("max_depth").grid);
+    const bool is_known =
+        !terrain.values.is_tiled() && terrain.grid.same_cells(result.raster(RasterName::max_depth).grid);
     const ReachedPlaces reached(result);
-    const ExposureRasters rasters{&reached("max_depth"), &reached("max_velocity"), &reached("max_pressure"),
-                                  &reached("arrival_time"), is_known ? &terrain : nullptr};
-    const auto cells = exposed_cells(*layer, result.raster("max_depth").grid);
+    const ExposureRasters rasters{&reached(RasterName::max_depth), &reached(RasterName::max_velocity),
+                                  &reached(RasterName::max_pressure), &reached(RasterName::arrival_time),
+                                  is_known ? &terrain : nullptr};
+    const auto cells = exposed_cells(*layer, result.raster(RasterName::max_depth).grid);
     ExposureTotals totals =
         write_exposure(*layer, exposure_rows(*layer, exposure_values(cells, rasters), prepared.scene.grid.bounds()),
                        prepared.scene.grid.crs_wkt, words_of(prepared.spec), directory);
@@ -233,7 +235,8 @@ SummaryFacts facts_of(const Finished& run) {
     facts.scheme = hazard_scheme_of(prepared.spec);
     facts.friction = prepared.friction;
     if (facts.friction)
-        facts.friction_areas = friction_areas(*facts.friction, trace_mask(run.result.raster("max_depth"), threshold));
+        facts.friction_areas =
+            friction_areas(*facts.friction, trace_mask(run.result.raster(RasterName::max_depth), threshold));
     facts.wall.input = run.input_seconds;
     facts.wall.engine = run.result.engine_seconds;
     facts.data_identity = data_identity(prepared);

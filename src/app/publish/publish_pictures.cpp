@@ -136,8 +136,8 @@ void draw_animation(const ResultReader& written, const MapSource& source, Drawin
     const std::string path = written.path(k_animation_file);
     if (!written.has(k_frame_list) || written.frames().empty()) return;
     drawings.attempt(k_animation_file, {path}, [&] {
-        AnimationRequest animation{
-            animation_source(written, source, "depth"), {}, false, false, animation_size(source.style.size)};
+        AnimationRequest animation{animation_source(written, source, "depth"), false,
+                                   animation_size(source.style.size)};
         animation.stop_requested = [] { return stop_signal() != 0; };
         return write_animation(animation, path);
     });

@@ -26,8 +26,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double k_millisecond = 1e-3;    // the step of QGIS's times, whose ranges contain their ends
-const char* const k_shown = "max_depth";  // the map that is visible at first; of a study the first map
+constexpr double k_millisecond = 1e-3;              // the step of QGIS's times, whose ranges contain their ends
+const char* const k_shown = RasterName::max_depth;  // the map that is visible at first; of a study the first map
 
 std::string text_of_file(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
@@ -57,13 +57,13 @@ class ProjectWriter {
         // A layer for each frame: of depth alone, else they hide the maps among them.
         for (const ResultRaster* row : frame_rasters(result_))
             if (row->name == "depth") project.groups.push_back(frames(*row));
-        if (result_.has(raster_file("dtm")))
+        if (result_.has(raster_file(RasterName::dtm)))
             project.groups.push_back({words_("Terrain"),
                                       {{named(words_("Terrain")),
-                                        raster_file("dtm"),
+                                        raster_file(RasterName::dtm),
                                         "",
                                         gis::Shape::area,
-                                        gis::relief_style("dtm", words_("Terrain")).qml,
+                                        gis::relief_style(RasterName::dtm, words_("Terrain")).qml,
                                         true,
                                         {},
                                         source_.terrain_source}}});
@@ -155,7 +155,7 @@ class ProjectWriter {
             show(map, true);
             one.title = page_title(source_, one.legend.back());
             for (const std::string& note : needed_notes(result_.path(map.file), words_)) one.notes += '\n' + note;
-            if (project.groups.back().layers.front().file == raster_file("dtm"))
+            if (project.groups.back().layers.front().file == raster_file(RasterName::dtm))
                 show(project.groups.back().layers.front(), false);
         }
     }

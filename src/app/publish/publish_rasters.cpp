@@ -53,10 +53,10 @@ void add_thickness(const ReleaseArea& area, const ReleasedArea& released, const 
     double normal = area.thickness * released.scaled;
     if (area.thickness_raster || !area.normal_to_bed) {
         double cosines = 0, cells = 0;
-        gis::visit_cells(area.outline, result.raster("bed").grid, gis::Cover::centres,
+        gis::visit_cells(area.outline, result.raster(RasterName::bed).grid, gis::Cover::centres,
                          [&](std::int64_t row, std::int64_t column) {
                              if (!(result.raster("release").at(row, column) > 0)) return;
-                             cosines += bed_cosine(result.raster("bed"), row, column);
+                             cosines += bed_cosine(result.raster(RasterName::bed), row, column);
                              cells += 1;
                          });
         normal = vertical * (cells > 0 ? cosines / cells : k_no_data);
@@ -72,10 +72,10 @@ gis::OutlineLayer outline(const std::string& name, const Raster& depth, double t
     MultiPolygon parts = gis::polygonise(mask);
     if (parts.empty()) return {name, {}};
     PolygonFeature area = feature(std::move(parts), threshold);
-    const Raster vertical = result.depth_is_normal ? vertical_depth(depth, result.raster("bed")) : depth;
+    const Raster vertical = result.depth_is_normal ? vertical_depth(depth, result.raster(RasterName::bed)) : depth;
     double volume = 0;
     mask.values.for_each_stored([&](std::size_t cell, double inside) {
-        if (inside != 0) volume += vertical.values[cell] * result.raster("bed").grid.cell_area();
+        if (inside != 0) volume += vertical.values[cell] * result.raster(RasterName::bed).grid.cell_area();
     });
     area.numbers["volume_m3"] = volume;
     const PeakValues high = high_values(depth, mask);
@@ -115,7 +115,7 @@ void publish_dtm(const Prepared& prepared, const ResultDirectory& directory,
     const auto write_one = [&](const std::string& name, const Raster& raster) {
         write(directory, *find_result_raster(name), raster, origin, prepared.spec.output, words_of(prepared.spec));
     };
-    write_one("dtm", prepared.scene.terrain);
+    write_one(RasterName::dtm, prepared.scene.terrain);
     if (!prepared.friction) return;
     const FrictionTable& table = prepared.friction->choice().table;
     origin[k_friction_item] = table.called;
@@ -155,15 +155,16 @@ void publish_outlines(const Prepared& prepared, const RunResult& result, const S
         layers[0].features.push_back(std::move(release));
     }
     const double threshold = prepared.spec.output.trace_threshold;
-    layers.push_back(outline("trace", result.raster("max_depth"), threshold, result, run_out));
-    const Raster deposit = trace_mask(result.raster("final_depth"), threshold);
-    layers.push_back(outline("deposit", result.raster("final_depth"), threshold, result,
-                             runouts(flows, result.raster("bed"), result.raster("release"), deposit).front()));
+    layers.push_back(outline("trace", result.raster(RasterName::max_depth), threshold, result, run_out));
+    const Raster deposit = trace_mask(result.raster(RasterName::final_depth), threshold);
+    layers.push_back(
+        outline("deposit", result.raster(RasterName::final_depth), threshold, result,
+                runouts(flows, result.raster(RasterName::bed), result.raster("release"), deposit).front()));
     for (PolygonFeature& trace : layers[1].features) {
         // The volume over the trace is that released; depths at different times do not add up.
         trace.numbers["volume_m3"] = result.volume_initial;
-        const PeakValues speed =
-            high_values(result.raster("max_velocity"), trace_mask(result.raster("max_depth"), threshold));
+        const PeakValues speed = high_values(result.raster(RasterName::max_velocity),
+                                             trace_mask(result.raster(RasterName::max_depth), threshold));
         trace.numbers["max_velocity_ms"] = speed.greatest;
         trace.numbers["max_velocity_p999_ms"] = speed.p999;
     }

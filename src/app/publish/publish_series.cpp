@@ -14,6 +14,7 @@
 #include "app/text/text_table.h"
 #include "core/text.h"
 #include "params/keys/output_parameters.h"
+#include "params/keys/result_rasters.h"
 
 namespace frana::app {
 
@@ -48,7 +49,7 @@ struct Column {
 };
 
 std::vector<Column> columns_of(const RunResult& result) {
-    std::vector<Column> columns{{"bed_m", &result.raster("bed")}, {"release_m", &result.raster("release")}};
+    std::vector<Column> columns{{"bed_m", &result.raster(RasterName::bed)}, {"release_m", &result.raster("release")}};
     for (const ResultRaster& row : main_rasters()) columns.push_back({row.name, result.find_raster(row.name)});
     return columns;
 }
@@ -56,7 +57,7 @@ std::vector<Column> columns_of(const RunResult& result) {
 std::vector<gis::NamedLine> profile_lines(const Prepared& prepared, const RunResult& result, const Runout& run_out) {
     std::vector<gis::NamedLine> lines;
     if (run_out.horizontal_m > 0)
-        lines.push_back({k_flow_path, flow_path(result.raster("max_depth"), run_out.top, run_out.tip)});
+        lines.push_back({k_flow_path, flow_path(result.raster(RasterName::max_depth), run_out.top, run_out.tip)});
     lines.insert(lines.end(), prepared.extra.profiles.begin(), prepared.extra.profiles.end());
     return lines;
 }

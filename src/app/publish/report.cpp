@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const k_main_map = "max_depth";
+const char* const k_main_map = RasterName::max_depth;
 
 /// "Maximum depth, at most 12 m", or the areas of the classes.
 std::string range_text(const ReportInput& input, const ResultRaster& row) {

@@ -279,7 +279,8 @@ Table four_answers(const ReportInput& input) {
     const bool has_energy = r.energy_error.has_value();
     row(words("How sure"), has_energy ? words("energy error") : words("volume error"),
         number(100 * (has_energy ? *r.energy_error : std::abs(relative_volume_error(r))), 2), "%",
-        cell_error(input.errors, words), words("Cells of {1} m", {number(r.raster("max_depth").grid.cell_size)}));
+        cell_error(input.errors, words),
+        words("Cells of {1} m", {number(r.raster(RasterName::max_depth).grid.cell_size)}));
     return table;
 }
 

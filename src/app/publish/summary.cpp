@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "core/json.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/result_rasters.h"
 
 namespace frana::app {
 namespace {
@@ -234,7 +235,7 @@ std::string accuracy_verdict(const AccuracyRecord& record, const Words& words) {
 namespace {
 
 void add_grid_and_particles(Json& json, const RunResult& result, const SummaryFacts& facts) {
-    const GridSpec& grid = result.raster("max_depth").grid;
+    const GridSpec& grid = result.raster(RasterName::max_depth).grid;
     json["grid"] = {{"columns", grid.columns},
                     {"rows", grid.rows},
                     {"cell_size", grid.cell_size},

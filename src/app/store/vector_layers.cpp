@@ -60,7 +60,7 @@ std::vector<ResultRaster> main_rasters() {
 
 std::vector<double> class_bounds(const ResultRaster& row, const ClassSpec& chosen, double maximum) {
     if (!row.bounds.empty()) return row.bounds;
-    if (chosen.fixed && !row.classes.empty()) return fixed_classes(chosen, row.classes);
+    if (chosen.fixed && !row.classes.empty()) return fixed_classes(row.classes);
     return class_bounds(row.progressive, maximum);
 }
 

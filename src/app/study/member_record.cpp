@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/words/words.h"
+#include "params/keys/result_rasters.h"
 #include "simulation/run_check.h"
 #include "simulation/run_summary.h"
 #include "simulation/simulation.h"
@@ -59,15 +60,15 @@ std::vector<float> values_at(const MemberRecord& record, const Raster& map) {
 
 void add_cells(const ReachedPlaces& reached, MemberRecord& record) {
     const auto number = [](double value) { return static_cast<float>(value); };
-    reached("max_depth").values.for_each_stored([&](std::size_t cell, double depth) {
+    reached(RasterName::max_depth).values.for_each_stored([&](std::size_t cell, double depth) {
         if (std::isnan(depth)) return;
         if (record.runs.empty() || record.runs.back().first + record.runs.back().count != cell)
             record.runs.push_back({cell, 0});
         ++record.runs.back().count;
         record.depth.push_back(number(depth));
-        record.arrival.push_back(number(reached("arrival_time").values[cell]));
+        record.arrival.push_back(number(reached(RasterName::arrival_time).values[cell]));
     });
-    record.velocity = values_at(record, reached("max_velocity"));
+    record.velocity = values_at(record, reached(RasterName::max_velocity));
 }
 
 }  // namespace
@@ -148,14 +149,15 @@ MemberRecord record_of(std::uint64_t member, const RunResult& result, const Scen
     record.particle_steps = result.particle_steps;
     const ReachedPlaces reached(result);
     add_cells(reached, record);
-    if (extras.pressure) record.pressure = values_at(record, reached("max_pressure"));
+    if (extras.pressure) record.pressure = values_at(record, reached(RasterName::max_pressure));
     if (extras.scheme) record.intensity = values_at(record, intensity_classes(result, *extras.scheme));
     if (extras.deposit == Deposit::elevation_change)
-        record.deposit = values_at(record, result.raster("elevation_change"));
+        record.deposit = values_at(record, result.raster(RasterName::elevation_change));
     if (extras.deposit == Deposit::final_depth)
-        record.deposit = values_at(record, result.depth_is_normal
-                                               ? vertical_depth(result.raster("final_depth"), result.raster("bed"))
-                                               : result.raster("final_depth"));
+        record.deposit = values_at(
+            record, result.depth_is_normal
+                        ? vertical_depth(result.raster(RasterName::final_depth), result.raster(RasterName::bed))
+                        : result.raster(RasterName::final_depth));
     return record;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "bench/stability/stability.h"
+#include "params/keys/result_rasters.h"
 #include "physics/laws.h"
 #include "simulation/simulation.h"
 
@@ -205,14 +206,14 @@ StabilityStatistic far_coordinates(Scheme scheme, int threads, Soundness& sound)
     options.threads = threads;
     const RunResult near = run(scene_at(scheme, 0, 80), options), far = run(scene_at(scheme, 600000, 5000000), options);
     double greatest = 0;
-    for (std::size_t c = 0; c < near.raster("max_depth").values.size(); ++c) {
-        const double a = near.raster("max_depth").values[c], b = far.raster("max_depth").values[c];
+    for (std::size_t c = 0; c < near.raster(RasterName::max_depth).values.size(); ++c) {
+        const double a = near.raster(RasterName::max_depth).values[c], b = far.raster(RasterName::max_depth).values[c];
         if (std::isnan(a) != std::isnan(b)) greatest = std::numeric_limits<double>::infinity();
         if (!std::isnan(a)) greatest = std::max(greatest, std::abs(a - b));
     }
     sound.non_finite = far.hard_events.non_finite;
     sound.volume_error = std::abs(far.volume_final + far.volume_left - far.volume_initial) / far.volume_initial;
-    for (const double speed : far.raster("max_velocity").values) {
+    for (const double speed : far.raster(RasterName::max_velocity).values) {
         const double limit = std::sqrt(2 * k_gravity * 43) + 2 * std::sqrt(k_gravity * 3);
         if (!std::isnan(speed)) sound.speed_ratio = std::max(sound.speed_ratio, speed / limit);
     }

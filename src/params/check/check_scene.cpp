@@ -392,17 +392,6 @@ void check_density(const SceneSpec& scene, const std::string& file, Problems& pr
 }
 
 void check_hazard(const HazardSpec& hazard, const std::string& file, Problems& problems) {
-    const bool limits = !hazard.depth_limits.empty() || !hazard.velocity_limits.empty() ||
-                        !hazard.flux_limits.empty() || !hazard.pressure_limits.empty();
-    const bool custom = hazard.scheme == "custom";
-    if (custom && !limits) {
-        problems.add({"scheme custom needs limits", Place(file, "hazard.scheme"), "custom", "",
-                      "Set hazard.depth-limits, velocity-limits, flux-limits or pressure-limits"});
-    }
-    if (!custom && limits) {
-        problems.add({"limits apply only to scheme custom", Place(file, "hazard.scheme"),
-                      hazard.scheme.value_or("not given"), "custom", "Set hazard.scheme = custom or remove them"});
-    }
     const bool is_process = hazard.process && std::find(std::begin(k_processes), std::end(k_processes),
                                                         *hazard.process) != std::end(k_processes);
     if (is_process && (!hazard.scheme || (hazard.resolved && hazard.resolved->matrix_of(hazard.process) == nullptr))) {
@@ -442,10 +431,6 @@ void check_output(const SceneSpec& scene, const std::set<std::string>& given, co
                       Place(file, "output.map-scale"), shortest_text(*output.map_scale),
                       paper_names() + "; output.map-size is " + output.map_size,
                       "Set output.map-size = A4@300, or remove the key"});
-    }
-    if (output.map_background_licence && !output.map_background) {
-        problems.add({"has no effect: there is no output.map-background", Place(file, "output.map-background-licence"),
-                      *output.map_background_licence, "", "Name the picture, or remove the key"});
     }
     const bool records = given.count("output.gauges") > 0 || given.count("output.cross-sections") > 0;
     if (output.sample_interval && !records) {

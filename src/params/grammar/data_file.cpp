@@ -111,12 +111,11 @@ std::vector<std::string> data_names(const std::string& share, const DataFolder& 
 }
 
 std::optional<std::string> data_file_of(const std::string& value, const std::string& share, const DataFolder& of,
-                                        const std::vector<std::string>& more, const Place& where, Problems& problems) {
+                                        const Place& where, Problems& problems) {
     if (is_own_file(value)) return value;
-    std::vector<std::string> names = data_names(share, of);
+    const std::vector<std::string> names = data_names(share, of);
     if (std::find(names.begin(), names.end(), value) != names.end())
         return (fs::path(share) / of.folder / (value + ".ini")).string();
-    names.insert(names.end(), more.begin(), more.end());
     problems.add(
         {std::string("is not a ") + of.what, where, value, joined(names, ", ") + ", or a file FILE.ini", of.lists});
     return std::nullopt;

@@ -73,6 +73,6 @@ inline bool is_own_file(const std::string& value) {
 /// Returns the file that a key names; none, with a problem, if there is none of this name. `more`: what it may be
 /// besides.
 std::optional<std::string> data_file_of(const std::string& value, const std::string& share, const DataFolder& of,
-                                        const std::vector<std::string>& more, const Place& where, Problems& problems);
+                                        const Place& where, Problems& problems);
 
 }  // namespace frana

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -251,13 +250,9 @@ ParameterOf<Spec> source(const std::string& name, Member member, const std::stri
     const auto allowed = [kinds](Kind kind) { return std::find(kinds.begin(), kinds.end(), kind) != kinds.end(); };
     std::vector<std::string> forms;
     if (allowed(Kind::number)) forms.push_back("a number");
-    std::vector<std::string> beginnings;
-    for (const auto& [kind, beginning, rest] :
-         {std::tuple(Kind::attribute, "attribute:", "NAME"), std::tuple(Kind::raster, "raster:", "FILE")}) {
-        if (!allowed(kind)) continue;
-        forms.push_back(std::string(beginning) + rest);
-        beginnings.emplace_back(beginning);
-    }
+    for (const auto& [kind, form] :
+         {std::pair(Kind::attribute, "attribute:NAME"), std::pair(Kind::raster, "raster:FILE")})
+        if (allowed(kind)) forms.emplace_back(form);
     auto result = parameter<Spec>(
         name, "text", member,
         [range, allowed](auto& target, const std::string& text) -> std::optional<ValueProblem> {
@@ -270,7 +265,6 @@ ParameterOf<Spec> source(const std::string& name, Member member, const std::stri
         [](const SourceSpec& value) { return text_of(value); });
     result.unit = unit;
     result.limits = joined(forms, ", ") + "; values " + range.text();
-    result.forms = beginnings;
     if (allowed(Kind::number)) result.range = range;
     result.fits = [range](double value) { return range.has(value); };
     result.meaning = meaning;

@@ -51,22 +51,15 @@ void add_pictures(std::vector<Parameter>& list) {
     list.push_back(word_list(
         "output.map-formats", FRANA_MEMBER(output.map_formats), {}, picture_formats(),
         "File formats of each map: picture, geospatial PDF page, SVG drawing, GeoTIFF of the area inside the frame."));
-    list.push_back(choice("output.map-legend", FRANA_MEMBER(output.map_legend), {"classed", "continuous"},
-                          "Colours in classes, or continuous."));
     list.push_back(
         holds("raster",
               text("output.map-background", FRANA_MEMBER(output.map_background), "file",
                    "Orthophoto or topographic raster (bytes) under maps and views, in its own CRS.", "shaded relief")));
-    list.push_back(text("output.map-background-licence", FRANA_MEMBER(output.map_background_licence), "text",
-                        "Owner and licence of output.map-background, at the foot of maps and views.",
-                        "the name of its file"));
     list.push_back(number("output.map-scale", FRANA_MEMBER(output.map_scale), "", k_map_scales,
                           "Scale of maps on paper sizes (A4, A3): 5000 for 1 : 5000.",
                           "the least round one at which the flow fits the page"));
     list.push_back(text("output.map-author", FRANA_MEMBER(output.map_author), "text",
-                        "Author, in the title block of maps.", "none"));
-    list.push_back(text("output.map-organisation", FRANA_MEMBER(output.map_organisation), "text",
-                        "Organisation, in the title block of maps.", "none"));
+                        "Author and organisation, in the title block of maps.", "none"));
     list.push_back(holds("raster", text("output.map-logo", FRANA_MEMBER(output.map_logo), "file",
                                         "Logo in the title block of maps: a PNG or JPEG file.", "none")));
     list.push_back(text("output.map-date", FRANA_MEMBER(output.map_date), "text",
@@ -96,37 +89,13 @@ using declare::Range;
 using declare::rising_numbers;
 using declare::text;
 
-/// Classes are bytes of a raster in which 0 is no data: a class more than limits.
-constexpr std::size_t k_most_limits = 254;
-
-/// output.classes and a key for the rows of quantity_classes() that have one.
-void add_classes(std::vector<Parameter>& list) {
-    list.push_back(option("output.classes", FRANA_MEMBER(output.classes.fixed),
-                          declare::Words<bool>{{"fixed", true}, {"to-maximum", false}},
-                          "Classes of colours on maps, in films and in GIS styles: fixed, so that results can be "
-                          "compared, or round steps up to the greatest value of each raster."));
-    for (std::size_t i = 0; i < quantity_classes().size(); ++i) {
-        const QuantityClasses& row = quantity_classes()[i];
-        if (row.words.empty()) continue;
-        Parameter key = rising_numbers(
-            "output.classes-" + row.name, [i](auto& scene) -> auto& { return scene.output.classes.bounds[i]; },
-            row.unit, "Bounds of the fixed classes of " + row.words + "; the last class is open.");
-        key.absent.clear();
-        key.read = [read = key.read](SceneSpec& scene, const std::string& value) -> std::optional<ValueProblem> {
-            const std::size_t given = words_of(value).size();
-            if (given == 0 || given > k_most_class_bounds)
-                return ValueProblem{"has " + std::to_string(given) + " bounds",
-                                    "Write 1 to " + std::to_string(k_most_class_bounds) + " bounds, for example 0.5 2"};
-            return read(scene, value);
-        };
-        list.push_back(key);
-    }
-}
-
 }  // namespace
 
 void add_extra_output(std::vector<Parameter>& list) {
-    add_classes(list);
+    list.push_back(option("output.classes", FRANA_MEMBER(output.classes.fixed),
+                          declare::Words<bool>{{"fixed", true}, {k_classes_to_maximum, false}},
+                          "Classes of colours on maps, in films and in GIS styles: fixed, so that results can be "
+                          "compared, or round steps up to the greatest value of each raster."));
     list.push_back(choice("output.extent", FRANA_MEMBER(output.extent), {"auto", "map", "reached"},
                           "What the rasters of a finished result cover: the whole map, or the rectangle round "
                           "everything released, reached or surveyed, with a margin; auto: reached on maps of over " +
@@ -168,7 +137,7 @@ void add_extra_output(std::vector<Parameter>& list) {
 
 void add_hazard(std::vector<Parameter>& list) {
     list.push_back(
-        data_file("hazard.scheme", FRANA_MEMBER(hazard.scheme), "a name of `frana schemes`, custom, or a file FILE.ini",
+        data_file("hazard.scheme", FRANA_MEMBER(hazard.scheme), "a name of `frana schemes`, or a file FILE.ini",
                   "Scheme of intensity classes for hazard.tif; sources in share/doc/hazard.md.", "no classes"));
     Parameter process =
         choice("hazard.process", FRANA_MEMBER(hazard.process), {std::begin(k_processes), std::end(k_processes)},
@@ -179,16 +148,6 @@ void add_hazard(std::vector<Parameter>& list) {
         number("hazard.minimum-depth", FRANA_MEMBER(hazard.minimum_depth), "m", Range{1e-6, 100},
                "Depth above which ground has a class by depth; classes by pressure have no such limit.",
                "output.trace-threshold")));
-    list.push_back(rising_numbers("hazard.depth-limits", FRANA_MEMBER(hazard.depth_limits), "m",
-                                  "Scheme custom: limits of the maximum depth; the class rises by one at each.",
-                                  k_most_limits));
-    list.push_back(rising_numbers("hazard.velocity-limits", FRANA_MEMBER(hazard.velocity_limits), "m/s",
-                                  "Scheme custom: the same for the maximum speed.", k_most_limits));
-    list.push_back(rising_numbers("hazard.flux-limits", FRANA_MEMBER(hazard.flux_limits), "m2/s",
-                                  "Scheme custom: the same for the maximum of depth times speed at one moment.",
-                                  k_most_limits));
-    list.push_back(rising_numbers("hazard.pressure-limits", FRANA_MEMBER(hazard.pressure_limits), "kPa",
-                                  "Scheme custom: the same for the maximum dynamic pressure.", k_most_limits));
 }
 
 void add_survey(std::vector<Parameter>& list) {

@@ -5,12 +5,8 @@ namespace frana {
 
 const std::vector<FormerName>& former_names() {
     static const std::vector<FormerName> names{
-        {"scar.perimeter", "observed.perimeter"},
-        {"scar.perimeter-layer", "observed.perimeter-layer"},
-        {"scar.perimeter-filter", "observed.perimeter-filter"},
-        {"scar.perimeter-crs", "observed.perimeter-crs"},
-        {"scar.front", "observed.front"},
-        {"scar.deposit", "observed.deposit"},
+        {"scar.perimeter", "observed.perimeter"}, {"scar.perimeter-crs", "observed.perimeter-crs"},
+        {"scar.front", "observed.front"},         {"scar.deposit", "observed.deposit"},
         {"scar.threshold", "observed.threshold"},
     };
     return names;

@@ -46,7 +46,6 @@ struct ParameterOf {
     std::string unit;    ///< empty: none
     std::string limits;  ///< allowed values, for messages
     std::vector<std::string> choices{};  ///< words that are accepted, of a list: for each item
-    std::vector<std::string> forms{};    ///< beginnings of other texts that are accepted: "attribute:"
     std::optional<NumberRange> range{};  ///< of a number that is accepted, of a list: of each item
     std::string absent;                  ///< the effect if the key is not given and has no fixed default
     std::string meaning;                 ///< one sentence

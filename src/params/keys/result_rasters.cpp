@@ -10,31 +10,26 @@ namespace frana {
 
 const std::vector<QuantityClasses>& quantity_classes() {
     static const std::vector<QuantityClasses> k_table{
-        {"max-depth", "depths and thicknesses", "m", {0.2, 0.5, 1, 2, 5, 10, 20, 50}},
-        {"max-velocity", "speeds", "m/s", {1, 2, 5, 10, 20, 30, 50}},
-        {"max-pressure", "dynamic pressures", "kPa", {1, 3, 10, 30, 100, 300, 1000}},
-        {"arrival-time", "", "s", {10, 30, 60, 120, 300, 600, 1800}},
-        {"max-flux", "", "m2/s", {0.5, 1, 2, 5, 10, 20, 50}},
-        {"max-head", "", "m", {0.5, 1, 1.5, 2, 5, 10, 20}},
-        {"strain", "", "", {0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1}},
-        {"error", "", "m", {0.02, 0.05, 0.1, 0.2, 0.5, 1, 2}},
+        {"max-depth", "m", {0.2, 0.5, 1, 2, 5, 10, 20, 50}},
+        {"max-velocity", "m/s", {1, 2, 5, 10, 20, 30, 50}},
+        {"max-pressure", "kPa", {1, 3, 10, 30, 100, 300, 1000}},
+        {"arrival-time", "s", {10, 30, 60, 120, 300, 600, 1800}},
+        {"max-flux", "m2/s", {0.5, 1, 2, 5, 10, 20, 50}},
+        {"max-head", "m", {0.5, 1, 1.5, 2, 5, 10, 20}},
+        {RasterName::strain, "", {0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1}},
+        {"error", "m", {0.02, 0.05, 0.1, 0.2, 0.5, 1, 2}},
     };
     return k_table;
 }
 
-ClassSpec::ClassSpec() {
-    for (const QuantityClasses& row : quantity_classes()) bounds.push_back(row.bounds);
-}
-
-std::vector<double> fixed_classes(const ClassSpec& chosen, const std::string& quantity) {
-    for (std::size_t i = 0; i < quantity_classes().size(); ++i) {
-        if (quantity_classes()[i].name != quantity) continue;
-        std::vector<double> bounds{0};
-        bounds.insert(bounds.end(), chosen.bounds[i].begin(), chosen.bounds[i].end());
-        bounds.push_back(std::numeric_limits<double>::infinity());
-        return bounds;
-    }
-    return {};
+std::vector<double> fixed_classes(const std::string& quantity) {
+    std::vector<double> bounds;
+    for (const QuantityClasses& row : quantity_classes())
+        if (row.name == quantity) bounds = row.bounds;
+    if (bounds.empty()) return bounds;
+    bounds.insert(bounds.begin(), 0);
+    bounds.push_back(std::numeric_limits<double>::infinity());
+    return bounds;
 }
 
 namespace {
@@ -111,8 +106,9 @@ void add_study(Table& table) {
         row.zero_is_blank = true;
         row.with_study = with_study;
     };
-    of_all("hit_count", "Runs that arrived", "Number of runs that reached the cell", "-", "depth", k_even, true);
-    ResultRaster& sensitivity = for_values("sensitivity", "Sensitivity to {}",
+    of_all(RasterName::hit_count, "Runs that arrived", "Number of runs that reached the cell", "-", "depth", k_even,
+           true);
+    ResultRaster& sensitivity = for_values(RasterName::sensitivity, "Sensitivity to {}",
                                            "Fraction of the variance of the distance from the outline that {} explains",
                                            "-", "velocity", k_even);
     sensitivity.with_study = true;
@@ -126,8 +122,8 @@ void add_study(Table& table) {
            "Greatest dynamic pressure that any source causes", "kPa", "velocity", k_progressive, true);
     of_all("union_arrival_time", "Arrival time of the first source", "Earliest arrival from any source", "s", "time",
            k_even);
-    of_all("worst_source", "Number of the worst source", "Number of the source that causes the greatest depth", "-", "",
-           k_even);
+    of_all(RasterName::worst_source, "Number of the worst source",
+           "Number of the source that causes the greatest depth", "-", "", k_even);
 }
 
 /// What a region of many slopes writes besides.
@@ -158,7 +154,7 @@ void add_region(Table& table) {
     intensity.with_study = true;
     table.by("batch", "by `frana batch` with `region.return-period`");
     table
-        .add("hazard_degree", RasterKind::classes, "Degree of hazard",
+        .add(RasterName::hazard_degree, RasterKind::classes, "Degree of hazard",
              "Degree of hazard from intensity and return period", "", "depth", k_even)
         .with_study = true;
 }
@@ -177,34 +173,34 @@ void set_flow_depths(std::vector<ResultRaster>& rows) {
     for (ResultRaster& row : rows)
         row.is_flow_depth = row.kind != RasterKind::given && !depth_direction(row.description).empty() &&
                             !row.name.starts_with("eroded") && !row.name.starts_with("deposited") &&
-                            row.name != "elevation_change";
+                            row.name != RasterName::elevation_change;
 }
 
 constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
 void add_run(Table& table) {
-    ResultRaster& depth =
-        table.flow("max_depth", "Maximum depth", "Maximum flow depth over time, vertical", "m", "depth", k_progressive);
+    ResultRaster& depth = table.flow(RasterName::max_depth, "Maximum depth", "Maximum flow depth over time, vertical",
+                                     "m", "depth", k_progressive);
     depth.is_surface = depth.has_view = true;
     table
-        .flow("max_velocity", "Maximum velocity", "Maximum flow speed over time, along the bed", "m/s", "velocity",
-              k_even)
+        .flow(RasterName::max_velocity, "Maximum velocity", "Maximum flow speed over time, along the bed", "m/s",
+              "velocity", k_even)
         .has_view = true;
-    table.flow("final_depth", "Final depth", "Flow depth at the end, vertical", "m", "depth", k_progressive)
+    table.flow(RasterName::final_depth, "Final depth", "Flow depth at the end, vertical", "m", "depth", k_progressive)
         .is_surface = true;
-    table.flow("arrival_time", "Arrival time", "Time at which the flow first arrived", "s", "time", k_even);
-    table.flow("max_pressure", "Maximum dynamic pressure", "Maximum over time of density times speed squared", "kPa",
-               "velocity", k_progressive);
+    table.flow(RasterName::arrival_time, "Arrival time", "Time at which the flow first arrived", "s", "time", k_even);
+    table.flow(RasterName::max_pressure, "Maximum dynamic pressure", "Maximum over time of density times speed squared",
+               "kPa", "velocity", k_progressive);
     table
         .add("release", RasterKind::given, "Thickness released", "Thickness released, vertical", "m", "depth",
              k_progressive)
         .is_surface = true;
-    table.add("dtm", RasterKind::given, "Terrain", "Terrain on the working grid", "m", "", k_even);
-    table.add("bed", RasterKind::given, "Bed", "Sliding surface", "m", "", k_even);
+    table.add(RasterName::dtm, RasterKind::given, "Terrain", "Terrain on the working grid", "m", "", k_even);
+    table.add(RasterName::bed, RasterKind::given, "Bed", "Sliding surface", "m", "", k_even);
 
     table.when("at the end of a run", nullptr);
     table
-        .flow("elevation_change", "Change of elevation", "Deposit minus release and erosion, vertical", "m",
+        .flow(RasterName::elevation_change, "Change of elevation", "Deposit minus release and erosion, vertical", "m",
               "difference", k_even)
         .bounds = {-k_infinity, -10, -5, -2, -0.5, 0.5, 2, 5, 10, k_infinity};
 }
@@ -226,27 +222,28 @@ void add_choices(Table& table) {
     table.when("with a hazard scheme that uses it",
                [](const SceneSpec& scene) { return scene.hazard.scheme.has_value(); });
     table
-        .flow("max_flux", "Maximum flux", "Maximum over time of depth times speed at one moment", "m2/s", "velocity",
-              k_progressive)
+        .flow(RasterName::max_flux, "Maximum flux", "Maximum over time of depth times speed at one moment", "m2/s",
+              "velocity", k_progressive)
         .if_it_happens = true;
     ResultRaster& head =
-        table.flow("max_head", "Maximum energy head", "Maximum over time of depth plus v2/2g at one moment", "m",
-                   "velocity", k_progressive);
+        table.flow(RasterName::max_head, "Maximum energy head", "Maximum over time of depth plus v2/2g at one moment",
+                   "m", "velocity", k_progressive);
     head.if_it_happens = true;
     head.classes = "max-head";
 
     table.when("with `[entrainment]`", [](const SceneSpec& scene) {
         return scene.entrainment.erosion != "off" || scene.entrainment.deposition;
     });
-    table.flow("eroded_depth", "Eroded depth", "Depth eroded from the bed, vertical", "m", "depth", k_progressive);
-    table.flow("deposited_depth", "Deposited depth", "Depth deposited on the bed, vertical", "m", "depth",
+    table.flow(RasterName::eroded_depth, "Eroded depth", "Depth eroded from the bed, vertical", "m", "depth",
+               k_progressive);
+    table.flow(RasterName::deposited_depth, "Deposited depth", "Depth deposited on the bed, vertical", "m", "depth",
                k_progressive);
 
     table.when("where material flew over an edge",
                [](const SceneSpec& scene) { return scene.material.model != "structured" && flight(scene.numerics); });
     table
-        .flow("jump_height", "Height of jumps", "Greatest height above the ground at which material flew over the cell",
-              "m", "depth", k_progressive)
+        .flow(RasterName::jump_height, "Height of jumps",
+              "Greatest height above the ground at which material flew over the cell", "m", "depth", k_progressive)
         .if_it_happens = true;
 }
 
@@ -263,16 +260,17 @@ void add_structured(Table& table) {
           k_even);
     table.when(structured, [](const SceneSpec& scene) { return scene.structured.phases == "solids-and-fluid"; });
     phase("fluid_depth", "Depth of free fluid", "Depth of the free fluid, vertical", "m", "depth", k_progressive);
-    phase("solid_depth", "Depth of solids", "Depth of solids without their fluid, vertical", "m", "depth",
+    phase(RasterName::solid_depth, "Depth of solids", "Depth of solids without their fluid, vertical", "m", "depth",
           k_progressive);
     const std::vector<double> fractions{0, 0.2, 0.4, 0.6, 0.8, 1};
     phase("solid_fraction", "Solid fraction", "Fraction of solids in all material of the cell", "-", "depth", k_even)
         .bounds = fractions;
-    phase("cohesion_ratio", "Cohesion left", "Cohesion over initial cohesion, mean of the solids", "-", "depth", k_even)
+    phase(RasterName::cohesion_ratio, "Cohesion left", "Cohesion over initial cohesion, mean of the solids", "-",
+          "depth", k_even)
         .bounds = fractions;
-    phase("strain", "Strain", "Greatest strain in the plane since the start, mean of the solids", "-", "depth",
-          k_progressive)
-        .classes = "strain";
+    phase(RasterName::strain, "Strain", "Greatest strain in the plane since the start, mean of the solids", "-",
+          "depth", k_progressive)
+        .classes = RasterName::strain;
     phase("solid_velocity", "Velocity of the solids", "Speed of solids and confined fluid, along the bed", "m/s",
           "velocity", k_even);
     phase("released_water", "Released fluid", "Confined fluid released by the solids in the cell", "m", "depth",
@@ -298,7 +296,7 @@ std::vector<ResultRaster> make_table() {
     add_study(table);
     add_region(table);
     table.by("converge", "after `frana converge`");
-    table.add("uncertainty", RasterKind::flow, "Estimated error of the maximum depth",
+    table.add(RasterName::uncertainty, RasterKind::flow, "Estimated error of the maximum depth",
               "Estimated discretisation error of the maximum depth, vertical", "m", "velocity", k_progressive);
     table.rows.back().classes = "error";
     set_classes_by_unit(table.rows);
@@ -354,7 +352,7 @@ std::vector<std::string> usual_maps() {
     std::vector<std::string> names;
     for (const ResultRaster& one : result_rasters()) {
         const bool shows = one.kind == RasterKind::flow || one.kind == RasterKind::classes;
-        if (shows && one.command == "run" && one.name != "jump_height") names.push_back(one.name);
+        if (shows && one.command == "run" && one.name != RasterName::jump_height) names.push_back(one.name);
     }
     return names;
 }

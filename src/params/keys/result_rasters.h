@@ -11,9 +11,8 @@ namespace frana {
 /// Classes of one quantity on maps, in films and in GIS styles: from 0 to the first bound, between neighbouring bounds,
 /// and above the last.
 struct QuantityClasses {
-    std::string name;   ///< "max-depth": key output.classes-max-depth, if it has one
-    std::string words;  ///< "depths", in the key's sentence; empty: no key
-    std::string unit;   ///< rasters of this unit have the classes of its first row, unless theirs names another
+    std::string name;  ///< "max-depth"
+    std::string unit;  ///< rasters of this unit have the classes of its first row, unless theirs names another
     std::vector<double> bounds;  ///< greater than 0, rising
 };
 
@@ -30,22 +29,30 @@ struct QuantityClasses {
 /// - arrival: whole minutes after the first one, as warning times are given; no published steps are known.
 const std::vector<QuantityClasses>& quantity_classes();
 
-/// The most bounds that a key accepts: more colours cannot be distinguished in a legend.
-inline constexpr std::size_t k_most_class_bounds = 12;
-
-/// output.classes and output.classes-...
+/// output.classes
 struct ClassSpec {
-    bool fixed = true;                        ///< false: up to the greatest value of each raster
-    std::vector<std::vector<double>> bounds;  ///< in the order of quantity_classes()
-
-    ClassSpec();
+    bool fixed = true;  ///< false: up to the greatest value of each raster
 };
+inline constexpr const char* k_classes_to_maximum = "to-maximum";
 
 /// Returns {0, 0.5, ..., infinity}; empty for a name that is not in the list.
-std::vector<double> fixed_classes(const ClassSpec& chosen, const std::string& quantity);
+std::vector<double> fixed_classes(const std::string& quantity);
 
 struct OutputSpec;
 struct SceneSpec;
+
+/// The rasters that other code asks for by name.
+struct RasterName {
+    static constexpr const char *arrival_time = "arrival_time", *bed = "bed", *cohesion_ratio = "cohesion_ratio",
+                                *deposited_depth = "deposited_depth", *dtm = "dtm",
+                                *elevation_change = "elevation_change", *eroded_depth = "eroded_depth",
+                                *final_depth = "final_depth", *hazard_degree = "hazard_degree",
+                                *hit_count = "hit_count", *jump_height = "jump_height", *max_depth = "max_depth",
+                                *max_flux = "max_flux", *max_head = "max_head", *max_pressure = "max_pressure",
+                                *max_velocity = "max_velocity", *sensitivity = "sensitivity",
+                                *solid_depth = "solid_depth", *strain = "strain", *uncertainty = "uncertainty",
+                                *worst_source = "worst_source";
+};
 
 /// A raster that a result may contain as NAME.tif, or as one NAME_VALUE.tif for each of some values. The one list, from
 /// which follow: the files written with their texts and styles, the maps that can be drawn, the names that output.maps

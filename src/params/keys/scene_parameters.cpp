@@ -27,31 +27,19 @@ void insert(std::vector<Parameter>& list, const Parameter& parameter) {
     list.insert(last.base(), parameter);
 }
 
-/// KEY-layer, KEY-filter and KEY-crs: how to read the vector file of KEY. `layer`: the LayerSpec of a scene.
-template <class Layer>
-void add_layer_choice(std::vector<Parameter>& list, const std::string& key, Layer layer) {
-    insert(list, text(
-                     key + "-layer", [=](auto& scene) -> auto& { return layer(scene).name; }, "text",
-                     "Layer to read if the file contains several.", "the only one with areas"));
-    insert(list, text(
-                     key + "-filter", [=](auto& scene) -> auto& { return layer(scene).filter; }, "text",
-                     "Condition on the attributes, as in SQL: kind = 'scar' AND year > 2000.", "all features"));
-    insert(list, text(
-                     key + "-crs", [=](auto& scene) -> auto& { return layer(scene).crs; }, "text",
-                     "CRS, if the file names none or a wrong one.", "the file's own"));
-}
-
 /// Keys that specify how to read an input file that does not specify it itself, each at the end of its section.
 void add_input_parameters(std::vector<Parameter>& list) {
     insert(list, number("terrain.nodata-value", FRANA_MEMBER(terrain.nodata_value), "", Range{-1e300, 1e300},
                         "Additional stored value that means no elevation, such as 0 around the edge.",
                         "only what the file declares"));
-    add_layer_choice(
-        list, "release.perimeter", [](auto& scene) -> auto& { return scene.release.perimeter_layer; });
+    insert(list, text("release.perimeter-filter", FRANA_MEMBER(release.perimeter_layer.filter), "text",
+                      "Condition on the attributes, as in SQL: kind = 'scar' AND year > 2000.", "all features"));
+    insert(list, text("release.perimeter-crs", FRANA_MEMBER(release.perimeter_layer.crs), "text",
+                      "CRS, if the file names none or a wrong one.", "the file's own"));
     insert(list, text("release.thickness-crs", FRANA_MEMBER(release.thickness_crs), "text",
                       "CRS of the thickness rasters, if they name none or a wrong one.", "the files' own"));
-    add_layer_choice(
-        list, "observed.perimeter", [](auto& scene) -> auto& { return scene.observed.perimeter_layer; });
+    insert(list, text("observed.perimeter-crs", FRANA_MEMBER(observed.perimeter_layer.crs), "text",
+                      "CRS, if the file names none or a wrong one.", "the file's own"));
 }
 
 // Surveyed data of the site: the ground, the release and inflow, and values by place.
@@ -151,10 +139,6 @@ void add_terrain(std::vector<Parameter>& list) {
     list.push_back(choice("terrain.vertical-unit", FRANA_MEMBER(terrain.vertical_unit),
                           {"auto", "metre", "decimetre", "centimetre", "millimetre", "foot", "us-survey-foot"},
                           "Unit of the DTM's elevations; auto: as stated in the file, otherwise metres."));
-    list.push_back(choice("terrain.resampling", FRANA_MEMBER(terrain.resampling),
-                          {"automatic", "nearest", "bilinear", "cubic", "average"},
-                          "Resampling of the DTM to the working grid; automatic: copied if the cells coincide, "
-                          "averaged to coarser cells, bilinear to finer ones."));
     list.push_back(text("terrain.source", FRANA_MEMBER(terrain.source), "text",
                         "Source of the elevations, named on maps: survey, owner, date, licence.",
                         "the DTM's file name"));

@@ -37,7 +37,6 @@ struct TerrainSpec {
     std::optional<Bounds> bounds;
     std::optional<double> nodata_value;
     std::string vertical_unit = "auto";
-    std::string resampling = "automatic";
     std::optional<std::string> source;  ///< of the elevations, as named on maps
     std::optional<std::string> friction_zones;
     std::optional<std::string> obstacles;
@@ -48,7 +47,6 @@ struct TerrainSpec {
 
 /// How to read a vector file, besides its path.
 struct LayerSpec {
-    std::optional<std::string> name;
     std::optional<std::string> filter;  ///< SQL condition on its attributes
     std::optional<std::string> crs;     ///< replaces that of the file
 };
@@ -127,13 +125,11 @@ struct OutputSpec {
     std::string depth = "vertical";  ///< or "normal" to the bed: of rasters, maps and classes
     std::string map_size = "auto";
     std::vector<std::string> map_formats{"png"};
-    std::string map_legend = "classed";
     ClassSpec classes;
     std::optional<std::string> map_background;
-    std::optional<std::string> map_background_licence;
     std::optional<std::string> map_attribution;
     std::optional<double> map_scale;  ///< n of 1 : n
-    std::optional<std::string> map_author, map_organisation, map_logo, map_date;
+    std::optional<std::string> map_author, map_logo, map_date;
     bool charts = true;
     std::optional<std::string> title;
     std::string language = k_language_of_locale;
@@ -157,7 +153,6 @@ struct HazardSpec {
     std::optional<HazardScheme> resolved;  ///< what it says; minimum depth as in the file: none
     std::optional<std::string> process;    ///< by whose matrix a region has degrees of hazard
     std::optional<double> minimum_depth;   ///< of a class [m]
-    std::vector<double> depth_limits, velocity_limits, flux_limits, pressure_limits;
 };
 
 /// [observed], of which [scar] is a second name

@@ -90,10 +90,8 @@ Parameter thickness_parameter() {
     result.unit = "m";
     result.limits = thickness_forms();
     result.range = NumberRange{0, std::numeric_limits<double>::max(), true};
-    for (const ThicknessKind& kind : k_kinds) {
-        result.forms.push_back(std::string(kind.word) + ":");
+    for (const ThicknessKind& kind : k_kinds)
         if (kind.without_operands) result.choices.emplace_back(kind.word);
-    }
     result.meaning =
         "Thickness of the release: one number, a column of the perimeter, a raster, a DTM before minus one after, the "
         "DTM minus a raster of the slip surface's elevation, or minus one fitted to each polygon; structured model: "

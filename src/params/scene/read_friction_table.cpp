@@ -116,7 +116,7 @@ FrictionTable read_friction_table(const std::string& path, const std::string& la
 std::optional<FrictionTable> resolved_friction_table(const FrictionTableSpec& spec, const std::string& share,
                                                      const Place& where, Problems& problems) {
     if (!spec.name) return std::nullopt;
-    const auto file = data_file_of(*spec.name, share, k_friction_folder, {}, where, problems);
+    const auto file = data_file_of(*spec.name, share, k_friction_folder, where, problems);
     if (!file) return std::nullopt;
     return attempt(problems, [&]() -> std::optional<FrictionTable> {
         Problems of_file;

@@ -61,9 +61,8 @@ namespace {
 void question_scheme(SceneReading& reading) {
     constexpr double k_heaviest_snow = 700;  // [kg/m3], wet and packed
     const SceneSpec& scene = reading.scene;
-    const std::string name = scene.hazard.scheme.value_or("custom");
-    if (!scene.hazard.resolved || name == "custom" || scene.origin_of("material.density") == Origin::default_value)
-        return;
+    if (!scene.hazard.resolved || scene.origin_of("material.density") == Origin::default_value) return;
+    const std::string& name = *scene.hazard.scheme;
     const bool is_snow = scene.material.density <= k_heaviest_snow;
     if ((name.find("avalanche") != std::string::npos) == is_snow || name.ends_with(".ini")) return;
     reading.warnings.push_back(worded(is_snow
@@ -146,6 +145,22 @@ constexpr std::pair<const char*, const char*> k_gone_keys[] = {
     {"entrainment.critical-shear", "Use entrainment.critical-shear-stress"},
     {"entrainment.deposition-shear", "Use entrainment.deposition-shear-stress"},
     {"entrainment.potential-depth", "Use entrainment.erosion-depth-per-stress"},
+    {"terrain.resampling", "Remove it: the mean on coarser cells, bilinear on finer ones"},
+    {"output.map-legend", "Remove it: colours are in classes"},
+    {"output.classes-max-depth", "Remove it, or set output.classes = to-maximum"},
+    {"output.classes-max-velocity", "Remove it, or set output.classes = to-maximum"},
+    {"output.classes-max-pressure", "Remove it, or set output.classes = to-maximum"},
+    {"output.map-organisation", "Write it into output.map-author"},
+    {"output.map-background-licence", "Write it into output.map-attribution"},
+    {"hazard.depth-limits", "Write the limits into a scheme of your own, hazard.scheme = FILE.ini"},
+    {"hazard.velocity-limits", "Write the limits into a scheme of your own, hazard.scheme = FILE.ini"},
+    {"hazard.flux-limits", "Write the limits into a scheme of your own, hazard.scheme = FILE.ini"},
+    {"hazard.pressure-limits", "Write the limits into a scheme of your own, hazard.scheme = FILE.ini"},
+    {"release.perimeter-layer", "Name it in release.perimeter: FILE|layer=NAME"},
+    {"observed.perimeter-layer", "Name it in observed.perimeter: FILE|layer=NAME"},
+    {"observed.perimeter-filter", "Write the features to compare with into a file of their own"},
+    {"scar.perimeter-layer", "Name it in observed.perimeter: FILE|layer=NAME"},
+    {"scar.perimeter-filter", "Write the features to compare with into a file of their own"},
     {"output.names", "Remove it; AvaFrame reads the GeoTIFFs of the result"},
     {"output.view-exaggeration", "Remove it: `frana render --view 3d --exaggeration` draws such a view"},
     {"output.view-background", "Remove it: `frana render --view 3d --plain` draws without a sky"},

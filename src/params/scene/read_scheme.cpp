@@ -154,9 +154,7 @@ HazardScheme read_scheme(const std::string& path, const std::string& label, Prob
 std::optional<HazardScheme> resolved_scheme(const HazardSpec& spec, const std::string& share, const Place& where,
                                             Problems& problems) {
     if (!spec.scheme) return std::nullopt;
-    if (*spec.scheme == k_custom_scheme)
-        return custom_scheme({spec.depth_limits, spec.velocity_limits, spec.flux_limits, spec.pressure_limits});
-    const auto file = data_file_of(*spec.scheme, share, k_scheme_folder, {k_custom_scheme}, where, problems);
+    const auto file = data_file_of(*spec.scheme, share, k_scheme_folder, where, problems);
     if (!file) return std::nullopt;
     return attempt(problems, [&] { return std::optional(read_scheme(*file, *file, problems)); });
 }

@@ -11,9 +11,6 @@
 
 namespace frana {
 
-/// The scheme of a scene's own limits, which is no file.
-inline constexpr const char* k_custom_scheme = "custom";
-
 /// Returns the scheme of a file; share/doc/hazard.md describes its keys. Every problem is collected, with `label` for
 /// the file; the scheme is then incomplete. Throws Error(input) if the file cannot be read as INI.
 HazardScheme read_scheme(const std::string& path, const std::string& label, Problems& problems);

@@ -8,10 +8,6 @@
 
 namespace frana {
 
-/// Returns a JSON Schema (2020-12) of scenes written as JSON: an object for each section, a member for each key, made
-/// from the declarations. share/doc/scripts.md has the rule by which a scene file becomes JSON.
-std::string scene_schema();
-
 /// Writes a scene as a scene file: every key with its unit and the source of its value; keys without a value as
 /// comments, keys that its model does not read omitted. Reading it back gives the same scene. `resolved` adds, as a
 /// comment, the values that frana chose for keys not given ("terrain.cell-size").

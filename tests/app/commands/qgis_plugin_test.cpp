@@ -49,13 +49,7 @@ TEST_F(QgisPlugin, IsPutIntoTheDefaultProfileAndReplacedWhole) {
     EXPECT_EQ(frana({"qgis-plugin", "--install", "--profile", "default"}).exit_code, 0);
     EXPECT_FALSE(fs::exists(plugin("default") + "/left_from_an_older_one.py"));
     EXPECT_FALSE(fs::exists(profile("default") + "/python/frana-plugin.partial"));
-
-    EXPECT_EQ(frana({"qgis-plugin", "--uninstall"}).exit_code, 0);
-    EXPECT_FALSE(fs::exists(plugin("default")));
     EXPECT_TRUE(fs::exists(profile("default") + "/python/plugins/other/metadata.txt"));
-    const Outcome again = frana({"qgis-plugin", "--uninstall"});
-    EXPECT_EQ(again.exit_code, 0);
-    EXPECT_NE(again.err.find("was not there"), std::string::npos);
 }
 
 TEST_F(QgisPlugin, AnotherProfileMustExist) {
@@ -69,16 +63,13 @@ TEST_F(QgisPlugin, AnotherProfileMustExist) {
     for (const char* name : {"", "..", "a/b"})
         EXPECT_EQ(frana({"qgis-plugin", "--install", "--profile", name}).exit_code, 2) << name;
     EXPECT_EQ(frana({"qgis-plugin"}).exit_code, 2);
-    EXPECT_EQ(frana({"qgis-plugin", "--install", "--uninstall"}).exit_code, 2);
 }
 
 TEST_F(QgisPlugin, AnotherPluginOfThatNameIsLeft) {
     write_whole(plugin("default") + "/metadata.txt", "[general]\nname=someone else's\n");
-    for (const char* what : {"--install", "--uninstall"}) {
-        const Outcome outcome = frana({"qgis-plugin", what});
-        EXPECT_EQ(outcome.exit_code, 4);
-        EXPECT_NE(outcome.err.find("is not frana's plugin"), std::string::npos) << outcome.err;
-    }
+    const Outcome outcome = frana({"qgis-plugin", "--install"});
+    EXPECT_EQ(outcome.exit_code, 4);
+    EXPECT_NE(outcome.err.find("is not frana's plugin"), std::string::npos) << outcome.err;
     EXPECT_EQ(app::read_text_file(plugin("default") + "/metadata.txt"), "[general]\nname=someone else's\n");
 }
 

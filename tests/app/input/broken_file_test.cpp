@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every kind of broken input ends in one message that names key and file, exit code 2 and nothing written.
+// Every kind of broken input ends in one message that names key and file, and nothing is written.
 #include <gdal_priv.h>
 #include <gdal_utils.h>
 #include <ogrsf_frmts.h>
@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "gis/access/gdal_session.h"
-#include "support/tiny_scene.h"
+#include "support/checked_scene.h"
 
 namespace frana::test {
 namespace {
@@ -90,31 +90,33 @@ struct BrokenFile {
     std::string messages = "";  ///< beside key and file
     std::string before = "";    ///< text before the file's name in the scene
 };
-void PrintTo(const BrokenFile& broken, std::ostream* out) {
-    *out << broken.name;
-}
 
-class Broken : public TinyScene, public ::testing::WithParamInterface<BrokenFile> {};
-
-TEST_P(Broken, EndsInOneClearMessage) {
-    const BrokenFile& broken = GetParam();
-    write_scene(k_numbers_only);
-    broken.make(Workshop(folder_));
-    const std::vector<std::string> before = files();
-    const std::string value = (broken.key == "release.thickness" ? "raster:" : "") + broken.before + broken.file;
-    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--set", broken.key + "=" + value});
-    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-    EXPECT_EQ(outcome.err.rfind("frana: ", 0), 0U) << outcome.err;
-    EXPECT_EQ(outcome.err.find("problems:\n"), std::string::npos) << "more than one: " << outcome.err;
-    for (const std::string& words : {broken.key, broken.file, broken.messages})
-        EXPECT_NE(outcome.err.find(words), std::string::npos) << "no \"" << words << "\" in: " << outcome.err;
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(files(), before);
-}
+class Broken : public CheckedScene {
+  protected:
+    /// Each in a folder of its own, so that nothing of it is beside the next.
+    void expect(const std::vector<BrokenFile>& files_of_one_key) const {
+        for (const BrokenFile& broken : files_of_one_key) {
+            SCOPED_TRACE(broken.name);
+            const std::string folder = broken.name + "/";
+            for (const char* file : {"dtm.asc", "dtm.prj", "perimeter.geojson", "scene.ini"}) {
+                fs::create_directories(path(folder));
+                fs::copy(path(file), path(folder + file));
+            }
+            broken.make(Workshop(folder_ / broken.name));
+            const std::vector<std::string> before = files();
+            const std::string value =
+                (broken.key == "release.thickness" ? "raster:" : "") + broken.before + broken.file;
+            const Checked checked = check({broken.key + "=" + value}, folder + "scene.ini");
+            EXPECT_EQ(checked.problems.size(), 1U) << checked.told();
+            if (checked.is_refused())
+                expect_words(describe(checked.problems.front()), {broken.key, broken.file, broken.messages});
+            EXPECT_EQ(files(), before);
+            fs::remove_all(path(folder));
+        }
+    }
+};
 
 const std::string k_good = "527000, 5, 0, 5094150, 0, -5";
-
-const auto k_name = [](const auto& tested) { return tested.param.name; };
 
 std::vector<BrokenFile> broken_rasters(const std::string& key) {
     using W = const Workshop&;
@@ -219,8 +221,9 @@ std::vector<BrokenFile> broken_rasters(const std::string& key) {
     };
 }
 
-INSTANTIATE_TEST_SUITE_P(Dtm, Broken, testing::ValuesIn(broken_rasters("terrain.dtm")), k_name);
-INSTANTIATE_TEST_SUITE_P(Thickness, Broken, testing::ValuesIn(broken_rasters("release.thickness")), k_name);
+TEST_F(Broken, RastersEndInOneClearMessage) {
+    for (const std::string key : {"terrain.dtm", "release.thickness"}) expect(broken_rasters(key));
+}
 
 /// A little-endian double, as in a shapefile.
 std::string double_bytes(double value) {
@@ -326,7 +329,9 @@ std::vector<BrokenFile> broken_vectors(const std::string& key) {
     };
 }
 
-INSTANTIATE_TEST_SUITE_P(Perimeter, Broken, testing::ValuesIn(broken_vectors("release.perimeter")), k_name);
+TEST_F(Broken, VectorsEndInOneClearMessage) {
+    expect(broken_vectors("release.perimeter"));
+}
 
 }  // namespace
 }  // namespace frana::test

@@ -9,8 +9,8 @@
 #include <random>
 
 #include "gis/raster/raster_out.h"
+#include "support/checked_scene.h"
 #include "support/files.h"
-#include "support/tiny_scene.h"
 
 namespace frana::test {
 namespace {
@@ -30,7 +30,7 @@ double channel(double x, double y) {
     return bed(x, y) + 0.3 * std::abs(y - 450) + 0.1 * (2100 - x);
 }
 
-class GroundDoubts : public TinyScene {
+class GroundDoubts : public CheckedScene {
   protected:
     static constexpr double k_wide = 2100, k_high = 900;
     /// Writes NAME.asc of cells of `cell` metres, and its CRS.
@@ -53,26 +53,17 @@ class GroundDoubts : public TinyScene {
               "friction-angle = 20\nturbulence = 500\n[time]\nend = 90\n" +
                   k_numbers_only);
     }
-    /// The lines of warnings about the DTM.
-    [[nodiscard]] std::string doubts(const std::vector<std::string>& more = {}) const {
-        std::vector<std::string> arguments{"check", "bed.ini"};
-        for (const std::string& one : more) arguments.insert(arguments.end(), {"--set", one});
-        const Outcome outcome = frana(arguments);
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-        std::string found, line;
-        for (const char c : outcome.err) {
-            line += c;
-            if (c != '\n') continue;
-            if (line.find("warning: DTM") != std::string::npos) found += line;
-            line.clear();
-        }
+    /// The warnings about the DTM, a line each.
+    [[nodiscard]] std::string doubts(const Sets& more = {}) const {
+        const Checked checked = check(more, "bed.ini");
+        EXPECT_FALSE(checked.is_refused()) << checked.told();
+        std::string found;
+        for (const std::string& warning : texts_of(checked.warnings))
+            if (warning.starts_with("DTM")) found += warning + '\n';
         return found;
     }
     [[nodiscard]] double number(const std::string& result, const std::string& key) const {
         return json_number(read_text(path(result + "/summary.json")), key);
-    }
-    static void expect_words(const std::string& text, const std::vector<std::string>& words) {
-        for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << word << "\n" << text;
     }
 };
 
@@ -138,8 +129,6 @@ TEST_F(GroundDoubts, CopiedCellsAreToldWithTheirFactorAndFranasOwnResamplingIsRi
     expect_words(read_text(path("copied/log.txt")), {"WARNING: DTM bed.asc: ", "copied cells (3 x 3)"});
     // Cells as large as the blocks are the original again.
     EXPECT_EQ(doubts({"terrain.cell-size=30"}), "");
-    expect_words(doubts({"terrain.dtm=coarse.asc", "terrain.cell-size=10", "terrain.resampling=nearest"}),
-                 {"copied cells (3 x 3)", "terrain.resampling = bilinear"});
 }
 
 TEST_F(GroundDoubts, CopiedCellsOfOtherFactorsAreTold) {
@@ -297,7 +286,7 @@ TEST_F(GroundDoubts, ARasterOfSlopesIsTold) {
         };
     };
     write_grid("bed", 10, slopes(4));
-    EXPECT_EQ(doubts(), "frana: warning: DTM bed.asc has 0 to 90, as uneven as slopes: take elevations\n");
+    EXPECT_EQ(doubts(), "DTM bed.asc has 0 to 90, as uneven as slopes: take elevations\n");
     write_grid("bed", 10, slopes(0.05));  // low ground with the noise of a survey
     EXPECT_EQ(doubts().find("as uneven as slopes"), std::string::npos);
 }
@@ -327,9 +316,8 @@ TEST_F(GroundDoubts, GoodGroundIsNotDoubted) {
         EXPECT_EQ(doubts(), "") << i;
     }
     write_grid("bed", 30, waves);
-    for (const std::string method : {"automatic", "bilinear", "cubic"})
-        for (const std::string size : {"10", "12.5", "45", "100"})
-            EXPECT_EQ(doubts({"terrain.cell-size=" + size, "terrain.resampling=" + method}), "") << method << size;
+    for (const std::string size : {"10", "12.5", "45", "100"})
+        EXPECT_EQ(doubts({"terrain.cell-size=" + size}), "") << size;
 }
 
 }  // namespace

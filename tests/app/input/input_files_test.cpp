@@ -9,12 +9,11 @@
 #include "params/keys/laws.h"
 #include "params/keys/scene_parameters.h"
 #include "resuming.h"
+#include "support/checked_scene.h"
 #include "support/files.h"
 
 namespace frana::test {
 namespace {
-
-using Sets = std::vector<std::string>;
 
 class InputFiles : public TinyScene {
   protected:

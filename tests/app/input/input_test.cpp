@@ -9,12 +9,13 @@
 
 #include "gis/access/gdal_session.h"
 #include "gis/raster/raster_in.h"
-#include "support/tiny_scene.h"
+#include "support/checked_scene.h"
+#include "support/files.h"
 
 namespace frana::test {
 namespace {
 
-using Input = TinyScene;
+using Input = CheckedScene;
 
 /// A slope that falls east by `drop` per column, as an ASCII grid without a .prj.
 std::string slope_grid(const std::string& corner_and_cell, int columns, int rows, double drop) {
@@ -30,11 +31,6 @@ std::string polygon_geojson(const std::string& rings) {
     return R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {}, "geometry": )"
            R"({"type": "MultiPolygon", "coordinates": [)" +
            rings + "]}}]}";
-}
-
-void expect_words(const std::string& text, const std::vector<std::string>& words) {
-    for (const std::string& word : words)
-        EXPECT_NE(text.find(word), std::string::npos) << "no \"" << word << "\" in:\n" << text;
 }
 
 TEST_F(Input, CheckPrintsThemAsOneTable) {
@@ -88,7 +84,7 @@ TEST_F(Input, TheLogStatesOperationsAndResampling) {
     expect_words(read_text(path("coarse/log.txt")), {"resampling average", "DTM transformed by:", "Monte Mario",
                                                      "accuracy 4 m", "perimeter transformed by:"});
     // Austria's system in Italy: no survey connects them there, and PROJ leaves the datum unchanged.
-    expect_words(frana({"check", "scene.ini", "--set", "terrain.crs=EPSG:31287"}).err,
+    expect_words(check({"terrain.crs=EPSG:31287"}).told(),
                  {"DTM: the accuracy of its transformation is unknown", "Ballpark", "hundreds of metres"});
     EXPECT_EQ(gis::read_result_raster(path("coarse/dtm.tif")).grid.cell_size, 10) << "the DTM really used is kept";
 }
@@ -97,17 +93,14 @@ TEST_F(Input, AMapThatIsNotTrueToScaleIsNotComputedOn) {
     // Web Mercator over the scene: gdaltransform puts 527000, 5094000 at 1040690.9, 5780195.5; at 46 N its
     // metre is 0.69 m on the ground.
     write("mercator.asc", slope_grid("xllcorner 1040640\nyllcorner 5780150\ncellsize 7", 80, 50, 2));
-    const std::vector<std::string> scene{
-        "check", "scene.ini", "--set", "terrain.dtm=mercator.asc", "--set", "terrain.dtm-crs=EPSG:3857"};
-    const Outcome outcome = frana(scene);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    expect_words(outcome.err, {"EPSG:3857", "not lengths on the ground", "UTM"});
-    expect_words(outcome.out, {"EPSG:32632", "2 000 m2"});
-    std::vector<std::string> asked = scene;
-    asked.insert(asked.end(), {"--set", "terrain.crs=EPSG:3857"});
-    const Outcome refused = frana(asked);
-    EXPECT_EQ(refused.exit_code, 2);
-    expect_words(refused.err, {"terrain.crs", "EPSG:3857 with a scale of 1.43", "within 1 %"});
+    const Checked checked = check({"terrain.dtm=mercator.asc", "terrain.dtm-crs=EPSG:3857"});
+    ASSERT_FALSE(checked.is_refused()) << checked.told();
+    expect_words(checked.told(), {"EPSG:3857", "not lengths on the ground", "UTM"});
+    expect_words(checked.prepared->ground.crs_label, {"EPSG:32632"});
+    EXPECT_NEAR(checked.prepared->release.area_m2, 2000, 0.5);
+    const std::string asked =
+        check({"terrain.dtm=mercator.asc", "terrain.dtm-crs=EPSG:3857", "terrain.crs=EPSG:3857"}).told();
+    expect_words(asked, {"terrain.crs", "EPSG:3857 with a scale of 1.43", "within 1 %"});
 }
 
 TEST_F(Input, FeetAreNeverGuessed) {
@@ -115,52 +108,40 @@ TEST_F(Input, FeetAreNeverGuessed) {
     write("feet.asc", slope_grid("xllcorner 1300000\nyllcorner 200000\ncellsize 20", 80, 60, 10));
     write("feet.geojson", polygon_geojson("[[[1300200, 200400], [1300400, 200400], [1300400, 200600], "
                                           "[1300200, 200600], [1300200, 200400]]]"));
-    const std::vector<std::string> scene{"check", "scene.ini",
-                                         "--set", "terrain.dtm=feet.asc",
-                                         "--set", "terrain.dtm-crs=EPSG:2285",
-                                         "--set", "release.perimeter=feet.geojson",
-                                         "--set", "release.perimeter-crs=EPSG:2285"};
-    const Outcome refused = frana(scene);
-    EXPECT_EQ(refused.exit_code, 2);
-    expect_words(refused.err, {"terrain.dtm", "unit", "0.3048006", "terrain.vertical-unit"});
-    std::vector<std::string> with_unit = scene;
-    with_unit.insert(with_unit.end(), {"--set", "terrain.vertical-unit=us-survey-foot"});
-    const Outcome outcome = frana(with_unit);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    Sets sets{"terrain.dtm=feet.asc", "terrain.dtm-crs=EPSG:2285", "release.perimeter=feet.geojson",
+              "release.perimeter-crs=EPSG:2285"};
+    expect_words(check(sets).told(), {"terrain.dtm", "unit", "0.3048006", "terrain.vertical-unit"});
+    Sets with_unit = sets;
+    with_unit.emplace_back("terrain.vertical-unit=us-survey-foot");
+    const Checked checked = check(with_unit);
+    ASSERT_FALSE(checked.is_refused()) << checked.told();
     // The area between the corners that gdaltransform gives for EPSG:32610.
-    expect_words(outcome.out, {"EPSG:32610", "3 714 m2"});
+    expect_words(checked.prepared->ground.crs_label, {"EPSG:32610"});
+    EXPECT_NEAR(checked.prepared->release.area_m2, 3714, 0.5);
     // A CRS with a vertical unit decides it.
-    std::vector<std::string> compound = scene;
-    compound[5] = "terrain.dtm-crs=EPSG:2285+6360";
-    EXPECT_EQ(frana(compound).exit_code, 0);
+    sets[1] = "terrain.dtm-crs=EPSG:2285+6360";
+    EXPECT_FALSE(check(sets).is_refused());
 }
 
 TEST_F(Input, AFrameOfZerosIsReportedAndDeclared) {
     write_dtm([](int row, int column) { return row < 3 ? 0.0 : 300 - 2.5 * column; });
-    const Outcome outcome = frana({"check", "scene.ini"});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    expect_words(outcome.err, {"180 cells are 0", "set terrain.nodata-value = 0"});
-    const Outcome declared = frana({"check", "scene.ini", "--set", "terrain.nodata-value=0"});
-    EXPECT_EQ(declared.exit_code, 0) << declared.err;
-    EXPECT_EQ(declared.err, "");
-    expect_words(declared.out, {"180"});
+    expect_words(check().told(), {"180 cells are 0", "set terrain.nodata-value = 0"});
+    const Checked declared = check({"terrain.nodata-value=0"});
+    EXPECT_EQ(declared.told(), "");
+    EXPECT_EQ(declared.prepared->ground.nodata_cells, 180);
 }
 
 TEST_F(Input, LavangsdalenIsFramedByZeros) {
     const std::string data = FRANA_SHARED_DIR "/data/lavangsdalen";
     if (!std::filesystem::exists(data)) GTEST_SKIP() << "the event's data are not at " << data;
-    const std::vector<std::string> scene{"check", "scene.ini",
-                                         "--set", "terrain.dtm=" + data + "/dem_5m.tif",
-                                         "--set", "release.perimeter=" + data + "/release.shp"};
-    const Outcome outcome = frana(scene);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    Sets sets{"terrain.dtm=" + data + "/dem_5m.tif", "release.perimeter=" + data + "/release.shp"};
     // Counted with gdal_translate -of AAIGrid and a line of awk: 32 300 of 168 873 cells are 0.
-    expect_words(outcome.err, {"32 300 cells are 0", "terrain.nodata-value = 0"});
-    std::vector<std::string> declared = scene;
-    declared.insert(declared.end(), {"--set", "terrain.nodata-value=0"});
-    const Outcome quiet = frana(declared);
-    EXPECT_EQ(quiet.err, "");
-    expect_words(quiet.out, {"32 300", "EPSG:25833"});
+    expect_words(check(sets).told(), {"32 300 cells are 0", "terrain.nodata-value = 0"});
+    sets.emplace_back("terrain.nodata-value=0");
+    const Checked declared = check(sets);
+    EXPECT_EQ(declared.told(), "");
+    EXPECT_EQ(declared.prepared->ground.nodata_cells, 32300);
+    expect_words(declared.prepared->ground.crs_label, {"EPSG:25833"});
 }
 
 TEST_F(Input, ArchivesCountFromTheScene) {
@@ -173,10 +154,8 @@ TEST_F(Input, ArchivesCountFromTheScene) {
         VSIFCloseL(file);
     }
     std::filesystem::remove(path("dtm.asc"));
-    const Outcome outcome =
-        run_program("/", {"check", path("scene.ini"), "--set", "terrain.dtm=/vsizip/tiles.zip/dtm.asc", "--set",
-                          "terrain.dtm-crs=EPSG:32632"});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Checked checked = check({"terrain.dtm=/vsizip/tiles.zip/dtm.asc", "terrain.dtm-crs=EPSG:32632"});
+    EXPECT_FALSE(checked.is_refused()) << checked.told();
 }
 
 TEST_F(Input, AFilterChoosesFeatures) {
@@ -187,14 +166,12 @@ TEST_F(Input, AFilterChoosesFeatures) {
           R"([[[527020, 5094055], [527070, 5094055], [527070, 5094095], [527020, 5094055]]]}},)"
           R"({"type": "Feature", "properties": {"kind": "deposit"}, "geometry": {"type": "Polygon", "coordinates": )"
           R"([[[527220, 5094055], [527270, 5094055], [527270, 5094095], [527220, 5094055]]]}}]})");
-    const Outcome outcome = frana({"check", "scene.ini", "--set", "release.perimeter=two.geojson", "--set",
-                                   "release.perimeter-filter=kind = 'release'"});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    expect_words(outcome.out, {"1 polygon", "1 000 m2"});
-    const Outcome wrong = frana({"check", "scene.ini", "--set", "release.perimeter=two.geojson", "--set",
-                                 "release.perimeter-filter=sort = 'release'"});
-    EXPECT_EQ(wrong.exit_code, 2);
-    expect_words(wrong.err, {"release.perimeter", "sort = 'release'", "kind"});
+    const Checked checked = check({"release.perimeter=two.geojson", "release.perimeter-filter=kind = 'release'"});
+    ASSERT_FALSE(checked.is_refused()) << checked.told();
+    EXPECT_EQ(checked.prepared->scene.release.size(), 1U);
+    EXPECT_EQ(checked.prepared->release.area_m2, 1000);
+    expect_words(check({"release.perimeter=two.geojson", "release.perimeter-filter=sort = 'release'"}).told(),
+                 {"release.perimeter", "sort = 'release'", "kind"});
 }
 
 struct Seam {
@@ -241,6 +218,30 @@ INSTANTIATE_TEST_SUITE_P(
              "[[[-180, -16.5], [-179.9995, -16.5], [-179.9995, -16.4995], [-180, -16.4995], [-180, -16.5]]]",
              "UTM zone", 106.764 * 55.332 * 1.00087 * 1.00087}),
     [](const auto& tested) { return tested.param.name; });
+
+TEST_F(Input, InputsLeaveTheirFolderUnchanged) {
+    const std::vector<std::string> square{
+        "POLYGON((527020 5094055,527070 5094055,527070 5094095,527020 5094095,527020 5094055))"};
+    std::filesystem::create_directory(folder_ / "in");
+    gis::test::make_vector(path("in/a.gml"), "GML", "EPSG:32632", square);
+    std::filesystem::remove(folder_ / "in/a.xsd");
+    gis::test::make_vector(path("in/a.gpkg"), "GPKG", "EPSG:32632", square);
+    gis::test::make_vector(path("in/a.shp"), "ESRI Shapefile", "EPSG:32632", square);
+    write_dtm({}, true, "in/dtm.asc");
+    const std::vector<std::string> before = files();
+    const std::vector<std::string> keys{
+        "terrain.dtm=in/dtm.asc", "release.perimeter=in/a.gml", "scar.perimeter=in/a.gpkg", "scar.deposit=in/a.shp",
+        "output.maps=off",        "output.animation=off",       "output.frames=off"};
+    for (const std::string command : {"check", "run"}) {
+        std::vector<std::string> arguments{command, "scene.ini"};
+        for (const std::string& key : keys) arguments.insert(arguments.end(), {"--set", key});
+        if (command == "run") arguments.insert(arguments.end(), {"--out", path("result")});
+        const Outcome outcome = frana(arguments);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        std::filesystem::remove_all(folder_ / "result");
+        EXPECT_EQ(files(), before) << command;
+    }
+}
 
 TEST_F(Input, OfAHugeDtmOnlyTheNeededPartIsRead) {
     // 20 000 x 20 000 cells of 2 m, 1.6 GB if it were read; the ground is in the south-eastern corner, the rest was

@@ -8,12 +8,10 @@
 #include "app/input/share_directory.h"
 #include "params/keys/laws.h"
 #include "simulation/simulation.h"
-#include "support/tiny_scene.h"
+#include "support/checked_scene.h"
 
 namespace frana::test {
 namespace {
-
-using Sets = std::vector<std::string>;
 
 /// Two values of each key, under which a flow of metres per second behaves differently.
 const std::map<std::string, std::pair<std::string, std::string>> k_values{

@@ -4,15 +4,16 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "app/publish/summary.h"
 #include "gis/raster/raster_in.h"
-#include "support/tiny_scene.h"
+#include "support/checked_scene.h"
 
 namespace frana::test {
 namespace {
 
 using Corners = std::vector<std::pair<double, double>>;
 
-class Site : public TinyScene {
+class Site : public CheckedScene {
   protected:
     /// NAME.geojson in EPSG:32632: a polygon each (offsets from the DTM's corner) with its properties.
     void write_features(const std::string& name, const std::vector<std::pair<Corners, std::string>>& features,
@@ -186,26 +187,21 @@ TEST_F(Site, InflowCountsForTheVolumeOfAFrictionTable) {
     write_features("line", {{{{60, 60}, {60, 90}}, R"("name": "gully")"}}, "LineString");
     write("flood.csv", "time,discharge,velocity\n0,1000,5\n50,1000,5\n");
     const std::string inflow = "[inflow]\nline = line.geojson\nhydrograph = flood.csv\n";
-    const auto checked = [&](double end, const std::string& more) {
-        std::vector<std::string> arguments{
-            "check", "scene.ini", "--json", "--set", "time.end=" + std::to_string(end), "--set", "terrain.cell-size=8"};
-        for (const std::string one : {"friction-table=ramms-avalanche", "return-period=300"}) {
-            arguments.emplace_back("--set");
-            arguments.push_back("material." + one);
-        }
+    const auto of = [&](double end, const std::string& more) {
         write_scene(more + k_numbers_only);
-        const Outcome outcome = frana(arguments);
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-        return parse_json(outcome.out)["friction_table"];
+        const Checked checked = check({"time.end=" + std::to_string(end), "terrain.cell-size=8",
+                                       "material.friction-table=ramms-avalanche", "material.return-period=300"});
+        EXPECT_FALSE(checked.is_refused()) << checked.told();
+        return app::friction_json(*checked.prepared->friction, {});
     };
-    EXPECT_NEAR(checked(10, "")["volume_m3"], 4000, 1);
-    const Json table = checked(10, inflow);
+    EXPECT_NEAR(of(10, "")["volume_m3"], 4000, 1);
+    const Json table = of(10, inflow);
     EXPECT_NEAR(table["volume_m3"], 14000, 1);
     EXPECT_EQ(table["name"], "ramms-avalanche");
     EXPECT_EQ(table["volume_from_m3"], 5000);
     EXPECT_EQ(table["volume_to_m3"], 25000);
     EXPECT_EQ(table["curvature_spacing_m"], 8);
-    EXPECT_NEAR(checked(40, inflow)["volume_m3"], 44000, 1);
+    EXPECT_NEAR(of(40, inflow)["volume_m3"], 44000, 1);
     const Outcome shown = frana({"check", "scene.ini", "--set", "material.friction-table=ramms-avalanche", "--set",
                                  "material.return-period=300"});
     EXPECT_NE(shown.out.find("RAMMS Avalanche"), std::string::npos) << shown.out;
@@ -257,23 +253,6 @@ TEST_F(Site, ZonesOfFrictionForRammsYield) {
                   .exit_code,
               0);
     EXPECT_NEAR(summary("max_velocity_ms", "uniform"), summary("max_velocity_ms", "same"), 1e-9);
-    // The term would be negative.
-    write_features("zones", {{box(0, 0, 300, 150), R"("mu": 1.2)"}});
-    write_scene(lines + k_numbers_only);
-    const Outcome outcome = frana({"check", "scene.ini", "--set", no_voellmy[0], "--set", no_voellmy[1]});
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_NE(outcome.err.find("too large for the law ramms-yield"), std::string::npos) << outcome.err;
-    // Friction read only by the stress in the plane.
-    write_scene(
-        "[terrain]\nfriction-zones = zones.geojson\n[material]\nbed-friction = chezy\nchezy = 20\n"
-        "in-plane-stress = earth-pressure\ninternal-friction-angle = 30\n" +
-        k_numbers_only);
-    const Outcome unread = frana({"check", "scene.ini", "--set", no_voellmy[0]});
-    EXPECT_EQ(unread.exit_code, 2);
-    EXPECT_NE(unread.err.find(
-                  "Set material.bed-friction = coulomb or ramms-yield or pouliquen-forterre, or remove the values"),
-              std::string::npos)
-        << unread.err;
 }
 
 TEST_F(Site, EveryFileIsInTheTableOfTheCheckAndInTheReport) {

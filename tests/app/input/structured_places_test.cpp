@@ -2,16 +2,15 @@
 // Properties of the structured model's release that vary from place to place, and later additions.
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <sstream>
 
 #include "particle_points.h"
-#include "support/tiny_scene.h"
+#include "support/checked_scene.h"
 
 namespace frana::test {
 namespace {
 
-class StructuredPlaces : public TinyScene {
+class StructuredPlaces : public CheckedScene {
   protected:
     StructuredPlaces() {
         // Two halves of the release, 2000 m3 each, and ground around the western one.
@@ -146,113 +145,43 @@ TEST_F(StructuredPlaces, SolidsFailLaterAndFluidFlowsIn) {
     EXPECT_NEAR(end.sum("speed_ms") / static_cast<double>(end.size()), gain, 0.1 * gain);
 }
 
-struct RefusedPlaces {
-    std::string name;
-    std::vector<std::string> set;
-    std::vector<std::string> words;
-};
-
-class StructuredPlacesRefuse : public StructuredPlaces, public ::testing::WithParamInterface<RefusedPlaces> {};
-
-TEST_P(StructuredPlacesRefuse, ByName) {
-    write_zones("west.geojson", {{0, 45, R"("c": 1e4)"}});
-    write_zones("partly.geojson", {{0, 30, R"("c": 1e4)"}, {30, 60, R"("c": null)"}, {60, 90, R"("d": 1)"}});
-    write_dtm([](int, int) { return 1.0; }, true, "ones.asc");
-    write_dtm([](int, int) { return -1.0; }, true, "negative.asc");
-    const Outcome outcome = run(GetParam().set);
-    EXPECT_EQ(outcome.exit_code, 2);
-    for (const std::string& words : GetParam().words)
-        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
-    EXPECT_FALSE(std::filesystem::exists(path("result")));
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    What, StructuredPlacesRefuse,
-    ::testing::Values(RefusedPlaces{"release_not_covered",
-                                    {"structured.zones=west.geojson", "structured.cohesion=attribute:c"},
-                                    {"structured.cohesion", "has no value on part of the release", "32 cells"}},
-                      RefusedPlaces{"no_such_column",
-                                    {"structured.zones=zones.geojson", "structured.cohesion=attribute:strength"},
-                                    {"structured.cohesion", "no number in the attribute strength", "alpha, c"}},
-                      RefusedPlaces{
-                          "empty_in_some_features",
-                          {"structured.zones=partly.geojson", "structured.cohesion=attribute:c"},
-                          {"frana: --set structured.cohesion: is empty (NULL) in the attribute c of 2 of 3 features",
-                           "the first of them feature 1"}},
-                      RefusedPlaces{"zones_that_nothing_reads",
-                                    {"structured.zones=zones.geojson"},
-                                    {"structured.zones: names a file that nothing of the scene reads"}},
-                      RefusedPlaces{"raster_out_of_range",
-                                    {"structured.cohesion=raster:negative.asc"},
-                                    {"structured.cohesion", "least value", "-1 Pa"}},
-                      RefusedPlaces{"negative_phase",
-                                    {"release.thickness=phases:ones.asc,negative.asc"},
-                                    {"release.thickness", "a depth is negative", "negative.asc"}},
-                      RefusedPlaces{"solids_share_told_twice",
-                                    {"release.thickness=phases:ones.asc,ones.asc", "structured.solid-fraction=0.5"},
-                                    {"structured.solid-fraction", "is given twice"}},
-                      RefusedPlaces{"grains_that_float",
-                                    {"structured.grain-density=1000"},
-                                    {"structured.grain-density", "not denser than the fluid", "1000 kg/m3"}},
-                      RefusedPlaces{"grains_that_float_in_mud",
-                                    {"structured.fluid-density=2500"},
-                                    {"structured.grain-density", "more than structured.fluid-density, 2500 kg/m3"}},
-                      RefusedPlaces{"phases_of_fluid_alone",
-                                    {"release.thickness=phases:ones.asc,ones.asc", "structured.phases=fluid"},
-                                    {"release.thickness", "gives solids and fluid separately"}},
-                      RefusedPlaces{"a_perimeter_without_the_column",
-                                    {"structured.cohesion=attribute:c", "release.thickness=raster:ones.asc"},
-                                    {"structured.cohesion", "no number in the attribute c"}}),
-    [](const auto& tested) { return tested.param.name; });
-
 struct Dubious {
-    const char* name;
-    std::vector<std::string> set;
-    std::string words;  // empty: no warning of any of these
+    Sets set;
+    std::string words;  ///< empty: no warning of any of these
 };
-
-class StructuredPlacesWarn : public StructuredPlaces, public ::testing::WithParamInterface<Dubious> {};
 
 const std::string k_sound[] = {"structured.cohesion=2000", "structured.young-modulus=1e7",
                                "structured.bulk-modulus=6e6", "structured.critical-strain=0.05"};
 
-TEST_P(StructuredPlacesWarn, OfWhatIsLegalAndDubious) {
-    std::vector<std::string> set = GetParam().set;
-    const auto given = [&](const std::string& one) {
-        return std::any_of(GetParam().set.begin(), GetParam().set.end(),
-                           [&](const std::string& own) { return own.rfind(one.substr(0, one.find('=') + 1), 0) == 0; });
-    };
-    std::remove_copy_if(std::begin(k_sound), std::end(k_sound), std::back_inserter(set), given);
-    std::vector<std::string> arguments{"check", "scene.ini"};
-    for (const std::string& one : set) arguments.insert(arguments.end(), {"--set", one});
-    const Outcome outcome = frana(arguments);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    const std::string said = outcome.out + outcome.err;
-    if (!GetParam().words.empty()) {
-        EXPECT_NE(said.find(GetParam().words), std::string::npos) << said;
-        return;
-    }
-    for (const char* words : {"has no effect", "shear within itself", "before it yields", "its edges stand"})
-        EXPECT_EQ(said.find(words), std::string::npos) << said;
-}
-
 // The release is 2 m thick, the cells are of 5 m: 0.81 tan(30) 5 m = 2.3 m, 0.81 tan(12) 5 m = 0.9 m.
-INSTANTIATE_TEST_SUITE_P(
-    What, StructuredPlacesWarn,
-    ::testing::Values(
-        Dubious{"nothing", {}, ""}, Dubious{"cells_too_large", {"structured.bed-friction-angle=28"}, "its edges stand"},
-        Dubious{"bed_rougher_than_the_material",
-                {"structured.bed-friction-angle=30", "structured.internal-friction-angle=25"},
-                "5 degrees over the internal"},
-        Dubious{"soft_moduli", {"structured.young-modulus=5e4", "structured.bulk-modulus=6e4"}, "before it yields"},
-        Dubious{"tiny_critical_strain", {"structured.critical-strain=1e-6"}, "before it yields"},
-        Dubious{"confined_without_cohesion",
-                {"structured.cohesion=0", "structured.confined-fraction=0.5"},
-                "confined-fraction has no effect without structured.cohesion"},
-        Dubious{"confined_without_pores",
-                {"structured.solid-fraction=1", "structured.confined-fraction=0.5"},
-                "with structured.solid-fraction = 1 there are no pores"}),
-    [](const auto& tested) { return tested.param.name; });
+TEST_F(StructuredPlaces, WhatIsLegalAndDubiousIsTold) {
+    for (const Dubious& one :
+         std::vector<Dubious>{{{}, ""},
+                              {{"structured.bed-friction-angle=28"}, "its edges stand"},
+                              {{"structured.bed-friction-angle=30", "structured.internal-friction-angle=25"},
+                               "5 degrees over the internal"},
+                              {{"structured.young-modulus=5e4", "structured.bulk-modulus=6e4"}, "before it yields"},
+                              {{"structured.critical-strain=1e-6"}, "before it yields"},
+                              {{"structured.cohesion=0", "structured.confined-fraction=0.5"},
+                               "confined-fraction has no effect without structured.cohesion"},
+                              {{"structured.solid-fraction=1", "structured.confined-fraction=0.5"},
+                               "with structured.solid-fraction = 1 there are no pores"}}) {
+        Sets set = one.set;
+        for (const std::string& sound : k_sound)
+            if (std::none_of(one.set.begin(), one.set.end(), [&](const std::string& own) {
+                    return own.starts_with(sound.substr(0, sound.find('=') + 1));
+                }))
+                set.push_back(sound);
+        const Checked checked = check(set);
+        ASSERT_FALSE(checked.is_refused()) << checked.told();
+        if (!one.words.empty()) {
+            expect_words(checked.told(), {one.words});
+            continue;
+        }
+        for (const char* words : {"has no effect", "shear within itself", "before it yields", "its edges stand"})
+            EXPECT_EQ(checked.told().find(words), std::string::npos) << checked.told();
+    }
+}
 
 }  // namespace
 }  // namespace frana::test

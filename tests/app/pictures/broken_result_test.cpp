@@ -21,7 +21,7 @@ const std::map<std::string, Arguments> k_commands{
     {"view", {"render", "broken", "--view", "3d", "--map", "depth@2", "--size", "640x480", "--out", "drawn"}},
     {"film", {"render", "broken", "--animation", "drawn/film.gif", "--size", "640x480"}},
     {"speeds", {"render", "broken", "--animation", "drawn/film.gif", "--map", "velocity", "--size", "640x480"}},
-    {"particles", {"render", "broken", "--animation", "drawn/", "--map", "particles", "--size", "640x480"}},
+    {"particles", {"render", "broken", "--animation", "drawn.gif", "--map", "particles", "--size", "640x480"}},
     {"charts", {"render", "broken", "--charts", "--size", "640x480", "--out", "drawn"}},
     {"compare", {"compare", "broken", "--scar", "scar.geojson", "--out", "drawn", "--size", "640x480"}}};
 

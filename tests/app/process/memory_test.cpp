@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(
                     MemoryCase{"frames_of_particles",
                                false,
                                {"output.maps=off", "output.animation=off"},
-                               {"output.formats=particles-gpkg", "terrain.cell-size=0.5",
+                               {"output.formats=particles-gpkg", "output.frames=on", "terrain.cell-size=0.5",
                                 "numerics.particles-per-cell=16", "time.end=0.02", "time.frame-interval=0.01"}},
                     MemoryCase{"fluid", true, k_numbers, {"structured.phases=fluid", "terrain.cell-size=0.5"}},
                     MemoryCase{"solids",

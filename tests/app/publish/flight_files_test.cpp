@@ -142,13 +142,5 @@ TEST_F(FlightFiles, DoNotExistWithoutFlight) {
     EXPECT_FALSE(json_has(read_text(path("result/summary.json")), "jumps"));
 }
 
-TEST_F(FlightFiles, FlightWithoutCurvatureIsRefused) {
-    write_polygon("near", {{100, 50}, {130, 50}, {130, 90}, {100, 90}});
-    const Outcome outcome =
-        frana({"check", "scene.ini", "--set", "numerics.curvature=off", "--set", "numerics.flight=on"});
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_NE(outcome.err.find("numerics.flight"), std::string::npos) << outcome.err;
-}
-
 }  // namespace
 }  // namespace frana::test

@@ -323,7 +323,8 @@ TEST_F(Output, HazardClassesFollowFromTheRasters) {
 // Classes made by depth alone cover what is deep enough; those by speed as well follow their rasters however thin the
 // flow.
 TEST_F(Output, HazardClassesAddUpToTheCoveredArea) {
-    const std::string by_depth = "[hazard]\nscheme = custom\ndepth-limits = 0.5, 2\n";
+    write("by_depth.ini", own_scheme("depth > ", "0.5 m", "2 m"));
+    const std::string by_depth = "[hazard]\nscheme = by_depth.ini\n";
     for (const std::string& more : {k_quiet + by_depth, k_quiet + "trace-threshold = 0.3\n" + by_depth}) {
         run(more);
         double classes = 0;
@@ -452,28 +453,10 @@ TEST_F(Output, AnOwnSchemeIsAFile) {
     EXPECT_EQ(frana({"schemes", "own.ini"}).exit_code, 0);
     // What is wrong with it is told before anything is computed.
     std::ofstream(path("own.ini")) << own << "colour = red\n[class-4]\n";
-    const std::string refusal = frana({"check", "scene.ini", "--set", "material.density=2000"}).err;
+    const Outcome refusal = frana({"schemes", "own.ini"});
+    EXPECT_EQ(refusal.exit_code, 2);
     for (const char* said : {"own.ini: class-2.colour", "is given more than once"})
-        EXPECT_NE(refusal.find(said), std::string::npos) << said << " in\n" << refusal;
-    EXPECT_EQ(frana({"schemes", "own.ini"}).exit_code, 2);
-}
-
-TEST_F(Output, HazardKeysThatContradictAreRefused) {
-    write_scene("[hazard]\nscheme = custom\n");
-    EXPECT_NE(frana({"check", "scene.ini"}).err.find("scheme custom needs limits"), std::string::npos);
-    write_scene("[hazard]\nscheme = swiss-flood\ndepth-limits = 1 2\n");
-    EXPECT_NE(frana({"check", "scene.ini"}).err.find("limits apply only to scheme custom"), std::string::npos);
-    write_scene("[hazard]\nscheme = custom\ndepth-limits = 2 1\n");
-    EXPECT_NE(frana({"check", "scene.ini"}).err.find("does not rise from above 0"), std::string::npos);
-    write_scene("[hazard]\nscheme = swiss-debris-flow\nprocess = foo\n");
-    const std::string told = frana({"check", "scene.ini"}).err, where = "hazard.process: ";
-    EXPECT_NE(told.find(where), std::string::npos) << told;
-    EXPECT_EQ(told.find(where), told.rfind(where)) << told;
-    // Pressure over a threshold, too, is that of a density.
-    write_scene("[output]\npressure-thresholds = 3 30\n");
-    EXPECT_NE(frana({"check", "scene.ini"}).err.find("material.density: is not given, but output.pressure-thresholds"),
-              std::string::npos);
-    EXPECT_EQ(frana({"check", "scene.ini", "--set", "material.density=300"}).exit_code, 0);
+        EXPECT_NE(refusal.err.find(said), std::string::npos) << said << " in\n" << refusal.err;
 }
 
 // The slope falls 1 in 2 as far as column 39 (cosine 1 / sqrt(1.25)), is level from column 41 on.

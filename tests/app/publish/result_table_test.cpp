@@ -62,24 +62,22 @@ TEST_F(ResultTable, MapsShowTheValuesOfTheSummary) {
 }
 
 // Maps, frames and GIS styles of all runs have the same classes: the scene's own, or the fixed ones.
-TEST_F(ResultTable, ClassesAreTheScenesOnMapsFramesAndInStyles) {
-    run(k_voellmy + "[output]\nmaps = off\nanimation = off\nclasses-max-depth = 0.25 0.75 3\n", "old");
+TEST_F(ResultTable, ClassesAreTheSameOnMapsFramesAndInStyles) {
+    run(k_voellmy + "[output]\nmaps = off\nanimation = off\n", "old");
     const app::ResultReader result(path("old"));
-    const std::vector<double> expected{0, 0.25, 0.75, 3, std::numeric_limits<double>::infinity()};
+    const std::vector<double> expected = fixed_classes("max-depth");
     for (const std::string name : {"max_depth", "final_depth", "depth@1"})
         EXPECT_EQ(result.map_layer(name).classes, expected) << name;
-    EXPECT_EQ(result.map_layer("max_velocity").classes, fixed_classes({}, "max-velocity"));
+    EXPECT_EQ(result.map_layer("max_velocity").classes, fixed_classes("max-velocity"));
     for (const std::string style : {"max_depth", "release", "frames/depth"})
-        for (const std::string label : {"0 \u2013 0.25 m", "0.75 \u2013 3 m", "> 3 m"})
+        for (const std::string label : {"0 \u2013 0.2 m", "0.5 \u2013 1 m", "> 50 m"})
             for (const std::string ending : {".qml", ".sld"})
-                EXPECT_NE(read_text(path("old/" + style + ending)).find(label == "> 3 m" ? "&gt; 3 m" : label),
+                EXPECT_NE(read_text(path("old/" + style + ending)).find(label == "> 50 m" ? "&gt; 50 m" : label),
                           std::string::npos)
                     << style << ending << " " << label;
     run(k_voellmy + "[output]\nmaps = off\nanimation = off\nclasses = to-maximum\n", "other");
     const std::vector<double> to_maximum = app::ResultReader(path("other")).map_layer("max_depth").classes;
     EXPECT_LT(to_maximum.back(), 100);
-    write_scene(k_voellmy + "[output]\nclasses-max-depth = 3 1\n");
-    EXPECT_EQ(frana({"check", "scene.ini"}).exit_code, 2);
 }
 
 // The names and ids that polygons have in the user's file are in every output.
@@ -110,16 +108,6 @@ TEST_F(ResultTable, AComparisonIsAddedToTheProject) {
     const Outcome outcome = frana({"compare", "old", "--scar", "scar.geojson"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(read_text(path("old/result.qgz")), "saved from QGIS");
-}
-
-TEST_F(ResultTable, MapsThatNoRasterIsMadeForAreRefused) {
-    write_scene(k_voellmy + k_entrainment + "[output]\nmaps = eroded_depth, solid_depth, max_depth_3d, hazard\n");
-    const Outcome outcome = frana({"check", "scene.ini"});
-    EXPECT_EQ(outcome.exit_code, 2);
-    for (const std::string name :
-         {"solid_depth is written with the structured model", "hazard is written with `[hazard] scheme`"})
-        EXPECT_NE(outcome.err.find(name), std::string::npos) << outcome.err;
-    EXPECT_EQ(outcome.err.find("eroded_depth"), std::string::npos) << outcome.err;
 }
 
 }  // namespace

@@ -90,7 +90,8 @@ TEST_F(ThinFlow, DuringTheRunIsAWarning) {
 
 // Pressure zones lost their thin and fast margins.
 TEST_F(ThinFlow, ZonesOfPressureFollowThePressureRasterToTheCell) {
-    write_scene(k_numbers_only + "trace-threshold = 0.5\n[hazard]\nscheme = custom\npressure-limits = 3, 10\n");
+    write("own.ini", own_scheme("pressure > ", "3 kPa", "10 kPa"));
+    write_scene(k_numbers_only + "trace-threshold = 0.5\n[hazard]\nscheme = own.ini\n");
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "material.density=2000"}).exit_code, 0);
     const auto raster = [&](const std::string& name) { return gis::read_result_raster(path("result/" + name)); };
     const Raster classes = raster("hazard.tif"), pressure = raster("max_pressure.tif"), depth = raster("max_depth.tif");

@@ -96,19 +96,5 @@ TEST_F(ParticleFiles, OfStructuredSolidsInBothFormats) {
     }
 }
 
-TEST_F(ParticleFiles, OfFluidAloneAreRefused) {
-    write_structured("fluid");
-    const Outcome outcome = frana({"run", "scene.ini", "--out", "result"});
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_NE(outcome.err.find("fluid alone has no particles"), std::string::npos) << outcome.err;
-}
-
-TEST_F(ParticleFiles, NeedFrames) {
-    write_scene("[output]\nformats = particles-gpkg\nframes = off\n");
-    const Outcome outcome = frana({"check", "scene.ini"});
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_NE(outcome.err.find("Set output.frames = on"), std::string::npos) << outcome.err;
-}
-
 }  // namespace
 }  // namespace frana::test

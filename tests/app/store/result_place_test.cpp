@@ -4,9 +4,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "app/input/share_directory.h"
 #include "app/store/manifest.h"
 #include "app/store/own_files.h"
 #include "app/store/result_directory.h"
+#include "params/scene/read_scene.h"
 #include "same_result.h"
 #include "support/tiny_scene.h"
 
@@ -23,15 +25,15 @@ class Place : public TinyScene {
         arguments.insert(arguments.end(), more.begin(), more.end());
         return frana(arguments);
     }
-    /// `run` and `check` report the same, with the same exit code, and nothing is computed.
-    void expect_refused(const std::string& out, int code, const std::string& words) const {
-        const std::vector<std::string> before = files();
-        for (const Outcome& outcome :
-             {run(out, {"--overwrite"}), frana({"check", "scene.ini", "--set", "output.directory=" + out})}) {
-            EXPECT_EQ(outcome.exit_code, code) << outcome.err;
-            EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    /// `run` and `check` report the same.
+    void expect_refused(const std::string& out, const std::string& what, const std::string& remedy) const {
+        for (const app::Older older : {app::Older::replaced, app::Older::unknown}) {
+            Problems problems;
+            EXPECT_FALSE(app::check_result_directory(path(out), older, {}, "--out", problems));
+            ASSERT_EQ(problems.list().size(), 1U) << out;
+            EXPECT_EQ(problems.list().front().what, what) << out;
+            EXPECT_EQ(problems.list().front().remedy, remedy) << out;
         }
-        EXPECT_EQ(files(), before);
     }
     [[nodiscard]] bool is_result(const std::string& name) const { return fs::exists(path(name + "/summary.json")); }
 };
@@ -60,15 +62,18 @@ TEST_F(Place, ALinkIsRefusedWithItsRemedy) {
     fs::create_directory_symlink("no_disk/result", path("dangling"));
     fs::create_directory_symlink("circle", path("circle"));
     fs::create_directory_symlink("disk", path("to_disk"));
-    for (const std::string link : {"to_empty/", "dangling", "circle"}) {
-        expect_refused(link, 2, "is a symbolic link, which a result would replace");
-        expect_refused(link, 2, "Name the folder that it leads to");
-    }
+    const std::string replaced = "is a symbolic link, which a result would replace";
+    for (const std::string link : {"to_empty/", "dangling", "circle"})
+        expect_refused(link, replaced, "Name the folder that it leads to");
+    const Outcome told = run("dangling", {"--overwrite"});
+    EXPECT_EQ(told.exit_code, 2);
+    EXPECT_NE(told.err.find(replaced), std::string::npos) << told.err;
     ASSERT_EQ(run("to_disk/result").exit_code, 0) << "a link above it";
     EXPECT_TRUE(is_result("disk/result"));
     fs::create_directory(path("elsewhere"));
     fs::create_directory_symlink("elsewhere", path("result.partial"));
-    expect_refused("result", 2, "is a symbolic link: the result would be built elsewhere");
+    expect_refused("result", "is a symbolic link: the result would be built elsewhere",
+                   "Remove it, or choose another folder with --out");
 }
 
 // It cannot be renamed: what was computed stays beside it.
@@ -142,12 +147,7 @@ TEST_F(Place, ThatCannotBeWrittenIsReportedWithTheScenesProblems) {
 }
 
 TEST_F(Place, WhoseNameIsTooLongIsRefusedBeforeAFolderIsMade) {
-    for (const std::string command : {"check", "run"}) {
-        const Outcome outcome = frana({command, "scene.ini", "--out", "above/" + std::string(249, 'a')});
-        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-        EXPECT_NE(outcome.err.find("--out: has a name that is too long"), std::string::npos) << outcome.err;
-        EXPECT_NE(outcome.err.find("Choose a shorter one with --out"), std::string::npos) << outcome.err;
-    }
+    expect_refused("above/" + std::string(249, 'a'), "has a name that is too long", "Choose a shorter one with --out");
     EXPECT_FALSE(fs::exists(path("above")));
 }
 
@@ -159,9 +159,10 @@ TEST_F(Place, WhosePathIsTooLongForAGeoPackageIsRefusedAtOnce) {
         std::string place = path(std::string(150, 'a') + "/" + std::string(80, 'b') + "/");
         return place + std::string(bytes - place.size(), 'c');
     };
-    expect_refused(path(std::string(200, 'a') + "/" + std::string(200, 'b') + "/" + std::string(200, 'c')), 2,
-                   "has a path that is too long");
-    expect_refused(of_length(401), 2, "has a path that is too long");
+    const std::string far = std::string(200, 'a') + "/" + std::string(200, 'b') + "/" + std::string(200, 'c');
+    for (const std::string& place : {path(far), of_length(401)})
+        expect_refused(place, "has a path that is too long: GeoPackages in it could not be written",
+                       "Choose a folder nearer to the root with --out");
     EXPECT_FALSE(fs::exists(path(std::string(150, 'a'))));
     const Outcome longest = run(of_length(400));
     EXPECT_EQ(longest.exit_code, 0) << longest.err;
@@ -173,17 +174,18 @@ TEST_F(Place, InputsThatTheResultWouldReplaceAreRefusedUnderAnyName) {
     ASSERT_EQ(run("result").exit_code, 0);
     fs::create_symlink(path("result/dtm.tif"), path("linked.tif"));
     fs::create_directory_symlink(path("result"), path("alias"));
-    const std::vector<std::string> before = files();
-    for (const std::string input :
-         {"terrain.dtm=linked.tif", "terrain.dtm=alias/dtm.tif", "release.perimeter=result/extent.gpkg|layer=release",
-          "release.perimeter=alias/extent.gpkg|layer=release", "release.thickness=raster:linked.tif",
-          "terrain.dtm=GTIFF_RAW:result/dtm.tif"}) {
-        const Outcome outcome = run("result", {"--overwrite", "--set", input});
-        EXPECT_EQ(outcome.exit_code, 2) << input << ": " << outcome.err;
-        EXPECT_NE(outcome.err.find("is an input and would be replaced by the result"), std::string::npos)
-            << input << ": " << outcome.err;
+    for (const std::string& input : std::vector<std::string>{
+             "terrain.dtm=linked.tif", "terrain.dtm=alias/dtm.tif",
+             "release.perimeter=result/extent.gpkg|layer=release", "release.perimeter=alias/extent.gpkg|layer=release",
+             "release.thickness=raster:linked.tif", "terrain.dtm=GTIFF_RAW:" + path("result/dtm.tif")}) {
+        SCOPED_TRACE(input);
+        const SceneReading reading = read_scene(path("scene.ini"), {input}, app::share_directory());
+        Problems problems;
+        EXPECT_FALSE(app::check_result_directory(path("result"), app::Older::replaced, input_files(reading.scene),
+                                                 "--out", problems));
+        ASSERT_EQ(problems.list().size(), 1U);
+        EXPECT_EQ(problems.list().front().what, "is an input and would be replaced by the result");
     }
-    EXPECT_EQ(files(), before);
 }
 
 // A second name of a result's file is read and still exists.

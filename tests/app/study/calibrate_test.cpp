@@ -46,8 +46,7 @@ class Calibrate : public TinyScene {
         const Outcome outcome = frana({"run", "scene.ini", "--out", scar, "--quiet", "--set", "time.end=12", "--set",
                                        "material.friction-angle=" + std::to_string(angle)});
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-        write(scene,
-              read_text(path("scene.ini")) + "[scar]\nperimeter = " + scar + "/extent.gpkg\nperimeter-layer = trace\n");
+        write(scene, read_text(path("scene.ini")) + "[scar]\nperimeter = " + scar + "/extent.gpkg|layer=trace\n");
     }
     void write_study(const std::string& head, const std::string& rest,
                      const std::string& set = "[set]\ntime.end = 12\n") const {

@@ -542,12 +542,13 @@ TEST_F(Ensemble, TheReportHasTheAnswerFirstInTheLanguageOfTheScene) {
     EXPECT_NE(text.find(area + " (95 %: da "), std::string::npos) << area;
 }
 
-// Pressure is density times the speed squared, so its thresholds are those of the speed; the classes of a custom scheme
-// with depth limits are those of the depth.
+// Pressure is density times the speed squared, so its thresholds are those of the speed; the classes of a scheme
+// with limits of depth are those of the depth.
 TEST_F(Ensemble, PressureAndIntensityHaveTheProbabilitiesOfWhatTheyAreMadeOf) {
     write_scene("stop-when-still = off\n" + k_numbers_only +
                 "depth-thresholds = 0.1 0.2 0.5\nvelocity-thresholds = 4\npressure-thresholds = 32\n"
-                "[material]\ndensity = 2000\n[hazard]\nscheme = custom\ndepth-limits = 0.2 0.5\n");
+                "[material]\ndensity = 2000\n[hazard]\nscheme = own.ini\n");
+    write("own.ini", own_scheme("depth > ", "0.2 m", "0.5 m"));
     write_study("samples = 12\n", k_two_keys);
     const Outcome outcome = run();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

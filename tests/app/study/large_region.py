@@ -66,7 +66,7 @@ with open(os.path.join(folder, "slopes.geojson"), "w") as file:
                "features": features}, file)
 with open(os.path.join(folder, "scene.ini"), "w") as file:
     file.write("[terrain]\ndtm = dtm.vrt\n[release]\nperimeter = slopes.geojson\nthickness = 1.497\n[material]\n"
-               "friction-coefficient = 0.35\nturbulence = 400\n[time]\nend = 120\n[hazard]\nscheme = custom\n"
-               "depth-limits = 0.5, 2\n[output]\nmaps = off\nanimation = off\nreport = off\n")
+               "friction-coefficient = 0.35\nturbulence = 400\n[time]\nend = 120\n[hazard]\nscheme = swiss-hillslope-debris-flow\n"
+               "process = all\n[output]\nmaps = off\nanimation = off\nreport = off\n")
 with open(os.path.join(folder, "region.ini"), "w") as file:
     file.write("[region]\nscene = scene.ini\nname = NAME\nscenario = SCENARIO\nreturn-period = YEARS\n")

@@ -398,9 +398,10 @@ TEST_F(Region, AFrictionTableIsReadByTheReturnPeriodOfTheEvent) {
     const std::string plain =
         std::regex_replace(read_text(path("scene.ini")), std::regex("friction-angle = 18\nturbulence = 500"),
                            "friction-table = ramms-avalanche");
+    write("own.ini", own_scheme("depth > ", "0.3 m", "0.8 m"));
     const auto write_with = [&](const std::string& period, const std::string& column) {
         write("scene.ini", std::regex_replace(plain, std::regex("(ramms-avalanche)"), "$1\n" + period) +
-                               "[hazard]\nscheme = custom\ndepth-limits = 0.3, 0.8\n");
+                               "[hazard]\nscheme = own.ini\n");
         write("region.ini",
               "[region]\nscene = scene.ini\nname = NAME\nscenario = SCENARIO\nwindow = 90\n"
               "return-period = YEARS\n" +
@@ -423,7 +424,8 @@ TEST_F(Region, AFrictionTableIsReadByTheReturnPeriodOfTheEvent) {
 // The degree in each cell is the worst over the scenarios of the matrix with that scenario's intensity.
 TEST_F(Region, DegreeOfHazardOverTheScenarios) {
     write_slopes(three());
-    write("scene.ini", read_text(path("scene.ini")) + "[hazard]\nscheme = custom\ndepth-limits = 0.3, 0.8\n");
+    write("own.ini", own_scheme("depth > ", "0.3 m", "0.8 m"));
+    write("scene.ini", read_text(path("scene.ini")) + "[hazard]\nscheme = own.ini\n");
     write_region("return-period = YEARS\n");
     const Outcome outcome = batch();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

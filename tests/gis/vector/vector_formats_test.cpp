@@ -72,7 +72,7 @@ TEST_P(VectorFormat, NoFileIsCreatedBesideIt) {
     std::filesystem::remove(folder.file("a.xsd"));
     const auto before = contents(folder);
     (void)read_polygons(folder.file(format.file), utm(), k_where);
-    (void)read_polygons(folder.file(format.file), utm(), k_where, {"", "thick > 5", ""});
+    (void)read_polygons(folder.file(format.file), utm(), k_where, {"thick > 5", ""});
     EXPECT_EQ(contents(folder), before);
 }
 
@@ -99,7 +99,7 @@ TEST(VectorFiles, TextWithWktNeedsACrsKey) {
                      "1529430 5094100,1529430 5094000))\"\n");
     const Error error = error_of([&] { (void)read_polygons(folder.file("a.csv"), utm(), k_where); });
     EXPECT_NE(error.problems().front().remedy.find("perimeter-crs"), std::string::npos);
-    const LayerChoice choice{"", "", crs_from_user("EPSG:3003", "")};
+    const LayerChoice choice{"", crs_from_user("EPSG:3003", "")};
     const PolygonLayer layer = read_polygons(folder.file("a.csv"), utm(), k_where, choice);
     // The corner 1529430, 5094000 by gdaltransform, as for the shapefile of the other test.
     EXPECT_NEAR(layer.bounds.south, 5093978.921519, 0.2);
@@ -113,7 +113,7 @@ TEST(VectorFiles, ACrsKeyOverridesTheFile) {
     make_vector(folder.file("a.shp"), "ESRI Shapefile", "EPSG:4326",
                 {"POLYGON((529400 5094000,529400 5094100,529500 5094100,529500 5094000,529400 5094000))"});
     EXPECT_EQ(error_of([&] { (void)read_polygons(folder.file("a.shp"), utm(), k_where); }).kind(), ErrorKind::input);
-    const PolygonLayer layer = read_polygons(folder.file("a.shp"), utm(), k_where, {"", "", utm()});
+    const PolygonLayer layer = read_polygons(folder.file("a.shp"), utm(), k_where, {"", utm()});
     EXPECT_EQ(total_area(layer), 10000);
     EXPECT_TRUE(layer.transform.operation == "none");
 }
@@ -158,7 +158,7 @@ TEST(VectorFiles, ACrsThatIsNotUnderstoodIsRefused) {
     EXPECT_EQ(read(named("EPSG:4267")).crs_label.substr(0, 9), "EPSG:4267");
     // A CRS given by a key is used.
     test::write_text(folder.file("a.geojson"), geojson(named("NAD27 / nonsense"), ""));
-    EXPECT_EQ(read_polygons(folder.file("a.geojson"), utm(), k_where, {"", "", crs_from_user("EPSG:4267", "")})
+    EXPECT_EQ(read_polygons(folder.file("a.geojson"), utm(), k_where, {"", crs_from_user("EPSG:4267", "")})
                   .crs_label.substr(0, 9),
               "EPSG:4267");
     // A line for each feature: OGR's driver for these reads no crs at all.
@@ -180,19 +180,16 @@ TEST(VectorFiles, ALayerAndAFilterChoose) {
     make_vector(path, "GPKG", "EPSG:32632", {"POLYGON((0 0,10 0,10 10,0 10,0 0))"}, "first");
     make_vector(path, "GPKG", "EPSG:32632",
                 {"POLYGON((0 0,20 0,20 20,0 20,0 0))", "POLYGON((50 0,80 0,80 30,50 30,50 0))"}, "second");
-    EXPECT_EQ(total_area(read_polygons(path, utm(), k_where, {"second", "", ""})), 1300);
-    EXPECT_EQ(total_area(read_polygons(path, utm(), k_where, {"second", "thick > 15", ""})), 900);
-    EXPECT_EQ(total_area(read_polygons(path, utm(), k_where, {"second", "name = 'slope' AND thick = 10", ""})), 400);
-    const Error none = error_of([&] { (void)read_polygons(path, utm(), k_where, {"second", "thick > 99", ""}); });
-    EXPECT_TRUE(has_problem(none.problems(), path, "thick > 99"));
+    const std::string second = path + "|layer=second";
+    EXPECT_EQ(total_area(read_polygons(second, utm(), k_where, {"", ""})), 1300);
+    EXPECT_EQ(total_area(read_polygons(second, utm(), k_where, {"thick > 15", ""})), 900);
+    EXPECT_EQ(total_area(read_polygons(second, utm(), k_where, {"name = 'slope' AND thick = 10", ""})), 400);
+    const Error none = error_of([&] { (void)read_polygons(second, utm(), k_where, {"thick > 99", ""}); });
+    EXPECT_TRUE(has_problem(none.problems(), second, "thick > 99"));
     EXPECT_NE(none.problems().front().remedy.find("thick, name"), std::string::npos);
-    const Error wrong = error_of([&] { (void)read_polygons(path, utm(), k_where, {"second", "depth > 1", ""}); });
-    EXPECT_TRUE(has_problem(wrong.problems(), path, "depth > 1"));
+    const Error wrong = error_of([&] { (void)read_polygons(second, utm(), k_where, {"depth > 1", ""}); });
+    EXPECT_TRUE(has_problem(wrong.problems(), second, "depth > 1"));
     EXPECT_NE(wrong.problems().front().remedy, none.problems().front().remedy) << "it is not understood";
-    const Error twice = error_of([&] {
-        (void)read_polygons(path + "|layer=first", utm(), k_where, {"second", "", ""});
-    });
-    EXPECT_TRUE(has_problem(twice.problems(), path + "|layer=first", "first, second"));
 }
 
 TEST(VectorFiles, ArchivesAreReadInPlace) {

@@ -162,15 +162,12 @@ TEST_F(ReadScene, FrameIntervalIsRoundAndOnlyWithFrames) {
 TEST_F(ReadScene, OutputsThatContradictAreRefusedTogether) {
     const std::vector<Problem> all = problems(k_least +
                                               "[output]\nformats = particles-gpkg\nframes = off\nanimation = off\n"
-                                              "sample-interval = 1\nmap-scale = 5000\nmap-background-licence = CC\n"
-                                              "[hazard]\nscheme = custom\n");
+                                              "sample-interval = 1\nmap-scale = 5000\n");
     EXPECT_TRUE(has_problem(all, "output.formats", "particles-gpkg"));
     EXPECT_TRUE(has_problem(all, "output.sample-interval", "1"));
     EXPECT_TRUE(has_problem(all, "output.map-scale", "5000",
                             "A4, A3, A4-portrait, A4-landscape, A3-portrait, A3-landscape; output.map-size is auto"));
-    EXPECT_TRUE(has_problem(all, "output.map-background-licence", "CC"));
-    EXPECT_TRUE(has_problem(all, "hazard.scheme", "custom"));
-    EXPECT_EQ(all.size(), 5U);
+    EXPECT_EQ(all.size(), 3U);
     EXPECT_TRUE(no_problem(problems(k_least + "[output]\nmap-scale = 5000\nmap-size = A3-portrait@300\n")));
     EXPECT_TRUE(no_problem(problems(k_least + "[output]\nformats = particles-gpkg\n")))
         << "GeoTIFFs need not be asked for";
@@ -187,7 +184,7 @@ TEST_F(ReadScene, FormatsThatAreGoneAreRefusedWithWhatMakesThem) {
 
 // Pressures of snow with the density of debris were seven times too great.
 TEST_F(ReadScene, ClassesOfPressureNeedADensity) {
-    for (const std::string scheme : {"austrian-avalanche", "swiss-avalanche", "custom\npressure-limits = 3, 30"}) {
+    for (const std::string scheme : {"austrian-avalanche", "swiss-avalanche"}) {
         const std::string hazard = "[hazard]\nscheme = " + scheme + "\n";
         EXPECT_TRUE(has_problem(problems(k_least + hazard), "material.density", "2000 kg/m3, the default")) << scheme;
         EXPECT_TRUE(problems(k_least + "density = 300\n" + hazard).empty()) << scheme;
@@ -196,29 +193,13 @@ TEST_F(ReadScene, ClassesOfPressureNeedADensity) {
     EXPECT_TRUE(problems(k_least + "[hazard]\nscheme = swiss-flood\n").empty());
 }
 
-TEST_F(ReadScene, LimitsRiseFromAboveZero) {
-    const SceneReading reading =
-        read(k_least + "density = 2000\n[hazard]\nscheme = custom\ndepth-limits = 0.5 2\npressure-limits = 3, 30\n");
-    EXPECT_TRUE(reading.problems.empty());
-    EXPECT_EQ(reading.scene.hazard.depth_limits, (std::vector<double>{0.5, 2}));
-    EXPECT_EQ(reading.scene.hazard.pressure_limits, (std::vector<double>{3, 30}));
-    for (const std::string limits : {"0 1", "2 1", "1 1", "1 x"})
-        EXPECT_TRUE(has_problem(problems(k_least + "[hazard]\nscheme = custom\ndepth-limits = " + limits + "\n"),
-                                "hazard.depth-limits", limits))
-            << limits;
-    const auto limits_of = [](int count) {  // one class more, and classes are bytes from 1
-        std::string limits;
-        for (int i = 1; i <= count; ++i) limits += std::to_string(i) + " ";
-        return limits;
-    };
-    for (const char* key : {"depth-limits", "velocity-limits", "flux-limits", "pressure-limits"}) {
-        const std::string custom = k_least + "density = 2000\n[hazard]\nscheme = custom\n" + key + " = ";
-        EXPECT_TRUE(read(custom + limits_of(254)).problems.empty()) << key;
-        EXPECT_TRUE(has_problem(problems(custom + limits_of(255)), std::string("hazard.") + key));
-    }
+TEST_F(ReadScene, HazardSchemesOfOldKeysAreRefused) {
+    const std::vector<Problem> all = problems(k_least + "[hazard]\nscheme = custom\ndepth-limits = 0.5, 2\n");
+    EXPECT_TRUE(has_problem(all, "hazard.scheme", "custom"));
+    EXPECT_TRUE(has_problem(all, "hazard.depth-limits"));
     EXPECT_TRUE(has_problem(problems(k_least + "[hazard]\nscheme = swiss\n"), "hazard.scheme", "swiss",
                             "austrian-avalanche, austrian-torrent, italian-avalanche, swiss-avalanche, "
-                            "swiss-debris-flow, swiss-flood, swiss-hillslope-debris-flow, custom, or a file FILE.ini"));
+                            "swiss-debris-flow, swiss-flood, swiss-hillslope-debris-flow, or a file FILE.ini"));
 }
 
 }  // namespace

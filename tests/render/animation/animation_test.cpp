@@ -112,45 +112,5 @@ TEST(ViewAnimator, FramesFollowTheirLayer) {
     EXPECT_NE(full.rgb, animator.frame(part(0.3), "t = 1 s").rgb);
 }
 
-/// A frame whose flow is between two rows of the tongue.
-Raster between(std::int64_t from, std::int64_t to) {
-    Raster raster = test::tongue(), frame(raster.grid, k_no_data);
-    for (std::int64_t row = from; row < to; ++row)
-        for (std::int64_t column = 0; column < raster.grid.columns; ++column)
-            frame.at(row, column) = std::isnan(raster.at(row, column)) ? k_no_data : 9;
-    return frame;
-}
-
-// A flow that runs out early, as avalanches do: the camera follows it, not the time.
-TEST(ViewAnimator, AFlightKeepsTheFrontInView) {
-    const Raster ground = test::terrain(), base = test::tongue();
-    ViewSpec spec;
-    spec.terrain = &ground;
-    spec.layer = &base;
-    spec.width = 640;
-    spec.height = 480;
-    ViewLayout layout;
-    draw_view(spec, &layout);
-    const auto in_view = [&](const Image& picture) {
-        const Rgb deep = layout.legend.front().colour;  // of the greatest depths; darkened with the ground below
-        int pixels = 0;
-        for (int y = static_cast<int>(layout.picture.top); y < layout.picture.bottom; ++y)
-            for (int x = static_cast<int>(layout.picture.left); x < layout.picture.right; ++x)
-                pixels += test::near(picture.colour(x, y), deep, 20);
-        return pixels;
-    };
-    ViewAnimator animator(spec);
-    const auto flown = [&](double along, std::int64_t row) {
-        animator.fly(along);
-        return animator.frame(between(row - 4, row), "");
-    };
-    // 40 % of the flow fills 0.8 of the picture in one direction: a twentieth of it is some hundred pixels.
-    for (const std::int64_t row : {26, 50, 84})
-        for (const double along : {0.0, 0.3, 1.0}) EXPECT_GT(in_view(flown(along, row)), 100) << row << ", " << along;
-    ViewAnimator other(spec);
-    other.fly(0.5);
-    EXPECT_NE(flown(0.5, 60).rgb, other.frame(between(56, 60), "").rgb) << "the camera goes back with a thinning front";
-}
-
 }  // namespace
 }  // namespace frana::render

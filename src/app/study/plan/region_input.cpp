@@ -47,7 +47,7 @@ void settle_degree(StudyInput& input) {
                 Problem{scheme ? "does not tell weak, medium and strong intensity, which the degree of hazard needs"
                                : "is missing, and the degree of hazard needs intensities",
                         input.central.where("hazard.scheme"), scheme ? scheme->name : "",
-                        "a scheme with a matrix (`frana schemes` names it), or custom with two limits",
+                        "a scheme with a matrix (`frana schemes` names it)",
                         "Choose one of these, or remove region.return-period"});
 }
 

@@ -38,7 +38,6 @@ MapStyle calibration_style(const SceneSpec& scene) {
     style.formats = output.map_formats;
     style.attribution = output.map_attribution.value_or("");
     style.author = output.map_author.value_or("");
-    style.organisation = output.map_organisation.value_or("");
     style.date = date_on_maps(output.map_date, today());
     return style;
 }

@@ -32,6 +32,7 @@
 #include "gis/vector/vector_out.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/output_parameters.h"
+#include "params/keys/result_rasters.h"
 
 namespace frana::app::study {
 namespace {
@@ -53,8 +54,9 @@ std::vector<UnionMember> members_of(const StudyInput& input, const StudyResult& 
 std::vector<HazardArea> write_degree(const StudyInput& input, const Raster& degree, const ResultDirectory& directory) {
     const auto scheme = hazard_scheme_of(input.base.spec);
     const ProcessMatrix& matrix = *scheme->matrix_of(input.base.spec.hazard.process);
-    ClassMap map{"hazard_degree", "Degree of hazard",  degree_classes(matrix.degrees), *scheme,
-                 matrix.source,   k_degree_zones_file, intensity_limits(*scheme)};
+    ClassMap map{
+        RasterName::hazard_degree, "Degree of hazard",       degree_classes(matrix.degrees), *scheme, matrix.source,
+        k_degree_zones_file,       intensity_limits(*scheme)};
     return publish_classes(degree, map, provenance(input.base), words_of(input.base.spec), directory);
 }
 
@@ -92,14 +94,14 @@ Raster write_union(const StudyInput& input, const std::vector<UnionMember>& memb
     Raster depth;
     {
         DepthUnion maps = depth_union(members, grid);
-        writer.write(value + "max_depth" + ending, maps.depth);
-        writer.write(count + "hit_count" + ending, maps.hits);
-        writer.write(count + "worst_source" + ending, maps.worst);
+        writer.write(value + RasterName::max_depth + ending, maps.depth);
+        writer.write(count + RasterName::hit_count + ending, maps.hits);
+        writer.write(count + RasterName::worst_source + ending, maps.worst);
         depth = std::move(maps.depth);
     }
-    writer.write(value + "max_velocity" + ending, greatest_of(members, Quantity::velocity, grid));
-    writer.write(value + "max_pressure" + ending, greatest_of(members, Quantity::pressure, grid));
-    writer.write(value + "arrival_time" + ending, earliest_arrival(members, grid));
+    writer.write(value + RasterName::max_velocity + ending, greatest_of(members, Quantity::velocity, grid));
+    writer.write(value + RasterName::max_pressure + ending, greatest_of(members, Quantity::pressure, grid));
+    writer.write(value + RasterName::arrival_time + ending, earliest_arrival(members, grid));
     return depth;
 }
 

@@ -123,7 +123,7 @@ std::optional<render::Chart> sensitivity(const ChartData& data, const std::strin
 /// Every chart of a study, in the order of the page.
 constexpr ChartRow<ChartData> k_charts[] = {
     {{"exceedance", worded("exceedance")}, exceedance},
-    {{"sensitivity", worded("sensitivity of the results")}, sensitivity},
+    {{RasterName::sensitivity, worded("sensitivity of the results")}, sensitivity},
 };
 
 }  // namespace
@@ -357,7 +357,7 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
         const QuantityMaps maps = writer.write_probabilities(result.finished, result.open, result.grid, events);
         if (events.quantity == Quantity::depth) {
             write_quantiles(result, maps, events.quantity, "depth", writer);
-            writer.write("hit_count", maps.hits);
+            writer.write(RasterName::hit_count, maps.hits);
             if (!maps.probability.empty()) {
                 write_probability_outlines(input, maps.probability.front(), directory.path(k_outlines_file));
                 facts.reached_threshold = events.thresholds.front();
@@ -392,8 +392,9 @@ void write_member(const StudyInput& input, std::size_t member, const MemberRecor
     if (!input.slopes.empty() && !record.figures.empty()) scene.terrain.bounds = record.grid().bounds();
     if (record.end.end > 0) scene.time.end = record.end.end;
     write_text_file(path(k_scene_file), echoed_scene(scene, directory.target() + "/" + folder));
-    const std::pair<const char*, Quantity> k_maps[] = {
-        {"max_depth", Quantity::depth}, {"max_velocity", Quantity::velocity}, {"arrival_time", Quantity::arrival}};
+    const std::pair<const char*, Quantity> k_maps[] = {{RasterName::max_depth, Quantity::depth},
+                                                       {RasterName::max_velocity, Quantity::velocity},
+                                                       {RasterName::arrival_time, Quantity::arrival}};
     for (const auto& [name, quantity] : k_maps) {
         if (record.runs.empty()) continue;
         const ResultRaster& row = *find_result_raster(name);

@@ -292,7 +292,7 @@ std::vector<std::string> maps_in_order(const StudyInput& input, const ResultDire
     const std::vector<double>& depths = input.base.spec.output.depth_thresholds;
     const std::string of_runs = depths.empty() ? "" : "probability_depth_" + shortest_text(depths.front());
     std::vector<std::string> maps = pictures_in(directory.path("maps"));
-    for (const std::string name : {"union_max_depth", "hazard_degree", of_runs.c_str()}) {
+    for (const std::string name : {"union_max_depth", RasterName::hazard_degree, of_runs.c_str()}) {
         const auto found = std::find_if(maps.begin(), maps.end(),
                                         [&](const std::string& map) { return fs::path(map).stem() == name; });
         if (found != maps.end()) std::rotate(maps.begin(), found, found + 1);

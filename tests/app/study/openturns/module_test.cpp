@@ -119,8 +119,7 @@ TEST_F(WithoutDrawing, ARunIsRefusedAndSoItsCheck) {
     }
     // Without maps a surveyed outline is not drawn.
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "truth", "--quiet"}).exit_code, 0);
-    EXPECT_EQ(copy({"run", "scene.ini", "--out", "out", "--set", "observed.perimeter=truth/extent.gpkg", "--set",
-                    "observed.perimeter-layer=trace"})
+    EXPECT_EQ(copy({"run", "scene.ini", "--out", "out", "--set", "observed.perimeter=truth/extent.gpkg|layer=trace"})
                   .exit_code,
               0);
 }
@@ -148,7 +147,7 @@ TEST_F(WithoutDrawing, AStudyIsRefused) {
 
 TEST_F(WithoutDrawing, ACalibrationIsRefused) {
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "truth", "--quiet"}).exit_code, 0);
-    const std::string scene = "perimeter = truth/extent.gpkg\nperimeter-layer = trace\n",
+    const std::string scene = "perimeter = truth/extent.gpkg|layer=trace\n",
                       rest = "[objective]\njaccard = 1\n" + k_two_keys;
     write("slope.ini", read_text(path("scene.ini")) + "[observed]\n" + scene);
     const auto write_calibration = [&](const std::string& maps) {

@@ -107,8 +107,7 @@ TEST_F(Ranks, UntilStopsAtTheSameMember) {
 // N programs fought for one lock.
 TEST_F(Ranks, ACalibrationSharesItsRuns) {
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "truth", "--quiet", "--set", "time.end=12"}).exit_code, 0);
-    write("slope.ini",
-          read_text(path("scene.ini")) + "[observed]\nperimeter = truth/extent.gpkg\nperimeter-layer = trace\n");
+    write("slope.ini", read_text(path("scene.ini")) + "[observed]\nperimeter = truth/extent.gpkg|layer=trace\n");
     write("study.ini", "[study]\nscene = slope.ini\nsamples = 16\n[set]\ntime.end = 12\n" +
                            std::string("[objective]\njaccard = 1\n") + k_two_keys);
     ASSERT_EQ(frana({"calibrate", "study.ini", "--out", "alone", "--threads", "1", "--quiet"}).exit_code, 0);
