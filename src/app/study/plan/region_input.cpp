@@ -15,6 +15,7 @@
 #include "core/text.h"
 #include "gis/crs/crs_transform.h"
 #include "gis/raster/working_grid.h"
+#include "params/grammar/value_text.h"
 
 namespace frana::app::study {
 namespace {
