@@ -27,6 +27,35 @@ Scene slide() {
     return scene;
 }
 
+// Down a gully of 25 m between banks of 45 degrees: on cells of 10 m the particles mix the flow with its banks, which
+// is told; of finite volumes, which do not, and on cells of 2.5 m nothing is.
+TEST(Run, TellsOfAFlowOfFewCells) {
+    const auto told = [](double cell, Scheme scheme) {
+        Scene scene;
+        const auto columns = static_cast<std::int64_t>(400 / cell), rows = static_cast<std::int64_t>(120 / cell);
+        scene.grid = {600000, 5000120, cell, columns, rows, ""};
+        scene.terrain = Raster(scene.grid);
+        for (std::int64_t r = 0; r < rows; ++r)
+            for (std::int64_t c = 0; c < columns; ++c) {
+                const double y = (static_cast<double>(r) + 0.5) * cell - 60, x = (static_cast<double>(c) + 0.5) * cell;
+                scene.terrain.at(r, c) = 100 + 0.4 * (400 - x) + std::max(0.0, std::abs(y) - 12.5);
+            }
+        scene.release = {
+            {{{{{600020, 5000050}, {600080, 5000050}, {600080, 5000070}, {600020, 5000070}}, {}}}, 2, {}, {}, false}};
+        scene.material.of<CoulombFriction>().friction_coefficient = 0.1;
+        scene.material.of<TurbulentFriction>().turbulence = 500;
+        scene.numerics.scheme = scheme;
+        scene.time.end = 15;
+        const RunResult result = run(scene, {});
+        for (const std::string& text : texts_of(run_warnings(result, scene)))
+            if (text.find("cells wide") != std::string::npos) return true;
+        return false;
+    };
+    EXPECT_TRUE(told(10, Scheme::standard));
+    EXPECT_FALSE(told(10, Scheme::finite_volume));
+    EXPECT_FALSE(told(2.5, Scheme::standard));
+}
+
 TEST(Run, GivesMaximaArrivalSeriesAndBudget) {
     const Scene scene = slide();
     RunOptions options;
