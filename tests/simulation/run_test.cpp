@@ -27,8 +27,8 @@ Scene slide() {
     return scene;
 }
 
-// Down a gully of 25 m between banks of 45 degrees: on cells of 10 m the particles mix the flow with its banks, which
-// is told; of finite volumes, which do not, and on cells of 2.5 m nothing is.
+// Down a gully of 6 m between banks of 63 degrees: at the most 12.3 and 9.9 m/s by particles and finite volumes
+// on 10 m, 13.5 and 14.0 on 5 m, 16.4 and 16.6 on 1.25 m.
 TEST(Run, TellsOfAFlowOfFewCells) {
     const auto told = [](double cell, Scheme scheme) {
         Scene scene;
@@ -38,10 +38,10 @@ TEST(Run, TellsOfAFlowOfFewCells) {
         for (std::int64_t r = 0; r < rows; ++r)
             for (std::int64_t c = 0; c < columns; ++c) {
                 const double y = (static_cast<double>(r) + 0.5) * cell - 60, x = (static_cast<double>(c) + 0.5) * cell;
-                scene.terrain.at(r, c) = 100 + 0.4 * (400 - x) + std::max(0.0, std::abs(y) - 12.5);
+                scene.terrain.at(r, c) = 100 + 0.4 * (400 - x) + 2 * std::max(0.0, std::abs(y) - 3);
             }
         scene.release = {
-            {{{{{600020, 5000050}, {600080, 5000050}, {600080, 5000070}, {600020, 5000070}}, {}}}, 2, {}, {}, false}};
+            {{{{{600020, 5000056}, {600080, 5000056}, {600080, 5000064}, {600020, 5000064}}, {}}}, 2, {}, {}, false}};
         scene.material.of<CoulombFriction>().friction_coefficient = 0.1;
         scene.material.of<TurbulentFriction>().turbulence = 500;
         scene.numerics.scheme = scheme;
@@ -51,9 +51,10 @@ TEST(Run, TellsOfAFlowOfFewCells) {
             if (text.find("cells wide") != std::string::npos) return true;
         return false;
     };
-    EXPECT_TRUE(told(10, Scheme::standard));
-    EXPECT_FALSE(told(10, Scheme::finite_volume));
-    EXPECT_FALSE(told(2.5, Scheme::standard));
+    for (const Scheme scheme : {Scheme::standard, Scheme::finite_volume}) {
+        EXPECT_TRUE(told(5, scheme));
+        EXPECT_FALSE(told(1.25, scheme));
+    }
 }
 
 TEST(Run, GivesMaximaArrivalSeriesAndBudget) {

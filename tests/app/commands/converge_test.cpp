@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "support/tiny_scene.h"
 
