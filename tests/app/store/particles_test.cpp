@@ -60,7 +60,8 @@ TEST_F(ParticleFiles, OfTheFirstModel) {
                                "material.pore-pressure-ratio=0.4", "--set", "material.pore-dissipation-time=2"});
     ASSERT_EQ(wet.exit_code, 0) << wet.err;
     // As velocities, the ratio of a frame is up to half a step old.
-    for (const double ratio : points("wet/frames/particles_0001.gpkg").columns.at("pore_pressure_ratio")) {
+    const Points later = points("wet/frames/particles_0001.gpkg");  // not in the loop's head: it must outlive the loop
+    for (const double ratio : later.columns.at("pore_pressure_ratio")) {
         EXPECT_GE(ratio, 0.4 * std::exp(-0.5) * (1 - 1e-9));
         EXPECT_LT(ratio, 0.4 * std::exp(-0.4));
     }
