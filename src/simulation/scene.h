@@ -82,8 +82,8 @@ struct ReleaseArea {
     /// Elevation of a still surface [m]: the thickness is that over the bed that is computed with, and the raster only
     /// tells it. None: the thickness as given.
     std::optional<double> level{};
-    double start = 0;                          ///< time of failure [s]; its material is at rest until then
-    double speed = 0;                          ///< at the start, along the bed [m/s]
+    double start = 0;  ///< time of failure [s]; its material is at rest until then
+    double speed = 0;  ///< at the start, along the bed [m/s]
     /// Direction of that speed, clockwise from the grid's north [rad]; none: down the mean slope.
     std::optional<double> azimuth{};
     std::string name{};  ///< of its polygon in the user's file; empty: none

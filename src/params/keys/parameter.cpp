@@ -7,7 +7,7 @@ const std::vector<FormerName>& former_names() {
     static const std::vector<FormerName> names{
         {"scar.perimeter", "observed.perimeter"}, {"scar.perimeter-crs", "observed.perimeter-crs"},
         {"scar.front", "observed.front"},         {"scar.deposit", "observed.deposit"},
-        {"scar.threshold", "observed.threshold"},
+        {"scar.threshold", "observed.threshold"}, {"scar.perimeter-filter", "observed.perimeter-filter"},
     };
     return names;
 }

@@ -32,12 +32,15 @@ void add_input_parameters(std::vector<Parameter>& list) {
     insert(list, number("terrain.nodata-value", FRANA_MEMBER(terrain.nodata_value), "", Range{-1e300, 1e300},
                         "Additional stored value that means no elevation, such as 0 around the edge.",
                         "only what the file declares"));
-    insert(list, text("release.perimeter-filter", FRANA_MEMBER(release.perimeter_layer.filter), "text",
-                      "Condition on the attributes, as in SQL: kind = 'scar' AND year > 2000.", "all features"));
+    constexpr const char* k_filter = "Condition on the attributes, as in SQL: kind = 'scar' AND year > 2000.";
+    insert(list, text("release.perimeter-filter", FRANA_MEMBER(release.perimeter_layer.filter), "text", k_filter,
+                      "all features"));
     insert(list, text("release.perimeter-crs", FRANA_MEMBER(release.perimeter_layer.crs), "text",
                       "CRS, if the file names none or a wrong one.", "the file's own"));
     insert(list, text("release.thickness-crs", FRANA_MEMBER(release.thickness_crs), "text",
                       "CRS of the thickness rasters, if they name none or a wrong one.", "the files' own"));
+    insert(list, text("observed.perimeter-filter", FRANA_MEMBER(observed.perimeter_layer.filter), "text", k_filter,
+                      "all features"));
     insert(list, text("observed.perimeter-crs", FRANA_MEMBER(observed.perimeter_layer.crs), "text",
                       "CRS, if the file names none or a wrong one.", "the file's own"));
 }
@@ -165,11 +168,11 @@ void add_release(std::vector<Parameter>& list) {
                                "FILE|layer=NAME selects a layer.",
                                "required, unless thickness comes from rasters: then where it is positive")));
     list.push_back(thickness_parameter());
-    list.push_back(source("release.level", FRANA_MEMBER(release.level), "m", Range{-500, 9000},
-                          {Given::number, Given::attribute},
-                          "Elevation of the still surface of a lake, a reservoir or a tailings pond that is released: it "
-                          "fills the ground within the perimeter. Instead of release.thickness.",
-                          "none"));
+    list.push_back(
+        source("release.level", FRANA_MEMBER(release.level), "m", Range{-500, 9000}, {Given::number, Given::attribute},
+               "Elevation of the still surface of a lake, a reservoir or a tailings pond that is released: it "
+               "fills the ground within the perimeter. Instead of release.thickness.",
+               "none"));
     list.push_back(declare::decides_map(
         choice("release.thickness-direction", FRANA_MEMBER(release.thickness_direction), {"vertical", "normal"},
                "Direction in which the thickness is measured: vertical, or normal to the slope.")));

@@ -182,6 +182,7 @@ TEST_F(MapSheet, ScalesThatCannotBeAreRefusedBeforeAnythingIsDrawn) {
 }
 
 TEST_F(MapSheet, AScaleAtWhichNotEvenTheReleaseFitsIsRefusedByCheck) {
+    write_scene("[output]\nmaps = on\n");
     const auto check = [&](const std::string& scale) {
         return frana({"check", "scene.ini", "--set", "output.map-size=A4", "--set", "output.map-scale=" + scale});
     };

@@ -184,6 +184,7 @@ PolygonFeature member_feature(const StudyInput& input, const StudyResult& result
     PolygonFeature feature;
     feature.parts = std::move(parts);
     for (const MemberCell& one : member_row(input, result, member)) {
+        if (one.name == "engine_seconds") continue;  // the same study is the same file
         if (!one.is_number)
             feature.texts[one.name] = one.text;
         else if (const auto number = number_from_text(one.text))
