@@ -32,7 +32,7 @@ constexpr double k_high_step = 30;       // of the surface of a release between 
 constexpr double k_steep_step = 1.75;    // and its slope: 60 degrees
 constexpr double k_stout = 0.5;          // mean thickness of a release, of its width
 constexpr std::int64_t k_few_particles = 300;
-// Cells across the flow: in a gully of 2 to 3 its speed is 15 to 30 % too low (Run.TellsOfAFlowOfFewCells).
+// Cells across the flow: in a gully of 2 to 3 its speed is 15 to 60 % too low (Run.TellsOfAFlowOfFewCells).
 constexpr double k_narrow = 3;
 // Mean slopes [degrees]. Landslides start on some 10 to 50 degrees; those on less are dams, tailings and quick clay.
 constexpr double k_flat_release = 2, k_steep_release = 55;
@@ -151,7 +151,7 @@ void warn_of_narrow_flow(const RunResult& result, const Scene& scene, Warnings& 
     if (result.steps == 0) return;
     const double width = fast_width(result, scene.time.trace_threshold);
     if (width > k_narrow) return;
-    warnings.push_back({worded("the flow is {1} cells wide: speeds uncertain by a fifth; use smaller cells",
+    warnings.push_back({worded("the flow is {1} cells wide: speeds uncertain by a third; use smaller cells",
                                {numeral(number_text(width, 2))}),
                         false});
 }
@@ -308,7 +308,9 @@ Warnings release_warnings(const Scene& scene, const Raster& bed, const Raster& r
     if (scene.file_volume) warn_of_file_volume(scene, areas, warnings);
     const bool by_raster = std::any_of(scene.release.begin(), scene.release.end(),
                                        [](const ReleaseArea& area) { return area.thickness_raster.has_value(); });
-    const SurfaceStep step = greatest_step(bed, release);
+    const bool still = std::any_of(scene.release.begin(), scene.release.end(),
+                                   [](const ReleaseArea& area) { return area.level.has_value(); });
+    const SurfaceStep step = still ? SurfaceStep{} : greatest_step(bed, release);
     if (step.height > std::max(k_high_step, k_steep_step * release.grid.cell_size))
         warnings.push_back(worded(
             by_raster ? worded("release step of {1} m at E {2}, N {3}: align its raster")

@@ -262,7 +262,8 @@ void check_map_scale(const SceneReading& reading, const MultiPolygon& outlines, 
 }
 
 /// Polygons that overlap release their thickness twice.
-void check_overlap(const ReleaseInput& release, const GridSpec& grid, RunLog& log) {
+void check_overlap(const SceneReading& reading, const ReleaseInput& release, const GridSpec& grid, RunLog& log,
+                   Problems& problems) {
     if (release.areas.size() < 2) return;
     Raster times(grid);
     for (const ReleaseArea& area : release.areas) {
@@ -270,7 +271,10 @@ void check_overlap(const ReleaseInput& release, const GridSpec& grid, RunLog& lo
                          [&](std::int64_t row, std::int64_t column) { times.at(row, column) += 1; });
     }
     const CellList twice = cells_where(times, [&](std::size_t i) { return times.values[i] > 1; });
-    if (twice.count > 0)
+    if (twice.count > 0 && reading.scene.release.level)
+        problems.add({"polygons of still water overlap", reading.where("release.perimeter"), cells_of(twice).text(), "",
+                      "Draw them apart: one level has no depth on top of another"});
+    else if (twice.count > 0)
         log.warn(worded("polygons of the perimeter overlap, their thicknesses add up there: {1}", {cells_of(twice)}));
 }
 
@@ -323,7 +327,7 @@ void check_release(const SceneReading& reading, const TerrainInput& ground, cons
     refuse_elevations(reading, ground, release, cover, problems);
     check_map_scale(reading, outlines, problems);
     check_difference(reading, ground, release, cover, log, problems);
-    check_overlap(release, ground.terrain.grid, log);
+    check_overlap(reading, release, ground.terrain.grid, log, problems);
 }
 
 double released_area(const Scene& scene) {

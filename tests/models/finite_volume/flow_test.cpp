@@ -211,6 +211,20 @@ TEST(FiniteVolumes, TheLipOfACliffNeitherDamsNorAccelerates) {
         }
 }
 
+// Over an open edge whose last strip has a single row (15 rows and 15 more than a tile's 16), what leaves is counted.
+TEST(FiniteVolumes, WhatLeavesThroughAStripOfOneRowIsCounted) {
+    for (const int rows : {15, 16, 31}) {
+        const Raster bed =
+            bench::sample_raster(bench::plain_grid(30, rows, 5), [](Point p) { return 0.1 * p.x + 0.05 * p.y; });
+        const ParticleSet seeds = bench::fill_lattice(bed.grid, 1, 0, [](Point) { return bench::Seed{5}; });
+        FiniteVolumeFlow flow = flow_on(bed, seeds, water(), volumes(Boundary::open));
+        const double volume = flow.volume();
+        flow.advance_to(10);
+        EXPECT_GT(flow.volume_left(), 0.1 * volume) << rows;
+        EXPECT_NEAR(flow.volume() + flow.volume_left(), volume, 1e-12 * volume) << rows;
+    }
+}
+
 // A film of 30 m/s over a basin of 40 m x 10 m: its wall takes what is normal to it. What climbed walls as it climbs
 // slopes left nothing in the basin, on any cells.
 TEST(FiniteVolumes, TheWallOfABasinIsNoSlope) {
