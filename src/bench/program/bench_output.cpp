@@ -44,7 +44,9 @@ render::ChartSeries series_of(const std::vector<bench::AccuracyRow>& rows, const
         const double error = momentum ? row.statistics.l1_momentum : row.statistics.l1_depth;
         // Zero except for rounding: would only stretch the axis.
         constexpr double k_nothing = 1e-18;
-        if (error > k_nothing) series.points.push_back({row.statistics.cpu_seconds, error});
+        // The structured model's cases know the engine's time on its one thread only.
+        const double cpu = row.statistics.cpu_seconds, seconds = cpu > 0 ? cpu : row.statistics.wall_seconds;
+        if (error > k_nothing) series.points.push_back({seconds, error});
     }
     return series;
 }
