@@ -10,9 +10,6 @@
 namespace frana {
 namespace {
 
-// Greens, so that an intensity is not mistaken for a hazard level (red, blue, yellow), which also depends on the
-// frequency.
-
 constexpr std::array<HazardQuantityRow, 6> k_quantities{{
     {"depth", "m", worded("depth"), "m"},
     {"velocity", "m/s", worded("speed"), "m/s"},

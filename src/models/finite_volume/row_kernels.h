@@ -201,10 +201,10 @@ FRANA_INLINE void read_cells(const Cells& c, std::size_t k, std::size_t q, std::
 /// bed's: with slopes of depth and surface limited each for itself the bed at the face would move with every ripple,
 /// and lakes over rough ground would begin to swing.
 /// @param a, b, c the cell before, the cell, the cell after
-FRANA_INLINE void sides_of(const CellRow& a, const CellRow& b, const CellRow& c, std::size_t q, std::size_t n,
-                           double half, double dry, const SideRow& before, const SideRow& after) {
+FRANA_INLINE void sides_of(const CellRow& a, const CellRow& b, const CellRow& c, std::size_t q, double half, double dry,
+                           const SideRow& before, const SideRow& after) {
     using L = Lanes<Quad>;
-    const auto at = [&](const double* from) FRANA_INLINE_LAMBDA { return L::load(from + q, n); };
+    const auto at = [&](const double* from) FRANA_INLINE_LAMBDA { return Quad::load(from + q); };
     const auto none = [](Quad::Mask m) FRANA_INLINE_LAMBDA { return L::none(m); };
     const Quad zero(0.0), h = at(b.depth), u = at(b.speed), wn = at(b.normal), wt = at(b.tangential), z = at(b.bed);
     const Quad ha = at(a.depth), hc = at(c.depth), za = at(a.bed), zc = at(c.bed), surface = h + z;
@@ -227,11 +227,11 @@ FRANA_INLINE void sides_of(const CellRow& a, const CellRow& b, const CellRow& c,
     const Quad pull = half * select(at(b.closed) > 0.5, zero,
                                     select(level, 0.5 * (shared_c * up + shared_a * down) / max(h, Quad(dry)), rise));
     const auto put = [&](double side, const SideRow& to) FRANA_INLINE_LAMBDA {
-        L::store(max(zero, h + side * dh - gain), to.depth + q, n);
-        L::store(u + side * du - half * u * du - at(b.weight) * pull, to.speed + q, n);
-        L::store(wn + side * dn - half * u * dn - at(b.drive) * pull, to.normal + q, n);
-        L::store(wt + side * dt - half * (u * dt), to.tangential + q, n);
-        L::store(z + side * (rise - dh), to.bed + q, n);
+        (max(zero, h + side * dh - gain)).store(to.depth + q);
+        (u + side * du - half * u * du - at(b.weight) * pull).store(to.speed + q);
+        (wn + side * dn - half * u * dn - at(b.drive) * pull).store(to.normal + q);
+        (wt + side * dt - half * (u * dt)).store(to.tangential + q);
+        (z + side * (rise - dh)).store(to.bed + q);
     };
     put(-0.5, before);
     put(0.5, after);
@@ -253,9 +253,9 @@ struct FaceBeds {
 /// own slope, cross: the higher one would dam it. So has thin flow that runs faster than its waves, down or, with the
 /// energy for it, up: at a step its energy would be lost, and a sharp corner of the ground would dam it.
 FRANA_INLINE FaceBeds beds_of(const CellRow& a, const CellRow& b, const CellRow& c, const CellRow& d, std::size_t q,
-                              std::size_t n, const StepValues& v, const Quad& bed_below, const Quad& bed_above) {
+                              const StepValues& v, const Quad& bed_below, const Quad& bed_above) {
     using L = Lanes<Quad>;
-    const auto at = [&](const double* from) FRANA_INLINE_LAMBDA { return L::load(from + q, n); };
+    const auto at = [&](const double* from) FRANA_INLINE_LAMBDA { return Quad::load(from + q); };
     const Quad hb = at(b.depth), hc = at(c.depth), zb = at(b.bed), zc = at(c.bed), dz = zc - zb, zero(0.0), one(1.0);
     const auto rises = dz > 0;
     const Quad upper = select(rises, hc, hb), lower = select(rises, hb, hc),
@@ -281,10 +281,10 @@ FRANA_INLINE FaceBeds beds_of(const CellRow& a, const CellRow& b, const CellRow&
 /// Faces between the cells of b and c: HLL for mass and normal momentum (Harten, Lax and van Leer 1983), the tangential
 /// one carried with the mass; hydrostatic reconstruction (Audusse et al. 2004, SIAM J. Sci. Comput. 25, 2050).
 FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow& c, const CellRow& d,
-                               const SideRow& row_below, const SideRow& row_above, std::size_t q, std::size_t n,
-                               const StepValues& v, const FaceRow& to) {
+                               const SideRow& row_below, const SideRow& row_above, std::size_t q, const StepValues& v,
+                               const FaceRow& to) {
     using L = Lanes<Quad>;
-    const auto at = [&](const double* from) FRANA_INLINE_LAMBDA { return L::load(from + q, n); };
+    const auto at = [&](const double* from) FRANA_INLINE_LAMBDA { return Quad::load(from + q); };
     struct Side {
         Quad depth, speed, normal, tangential, bed;
     };
@@ -294,7 +294,7 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
     const Side below = side(row_below), above = side(row_above);
     const Quad zero(0.0), one(1.0), tiny(1e-100);
     const Quad hb = at(b.depth), hc = at(c.depth), zb = at(b.bed), zc = at(c.bed), dz = zc - zb;
-    const FaceBeds beds = beds_of(a, b, c, d, q, n, v, below.bed, above.bed);
+    const FaceBeds beds = beds_of(a, b, c, d, q, v, below.bed, above.bed);
     const Quad bed_below = beds.below, bed_above = beds.above, step = beds.step, top = max(bed_below, bed_above);
     const auto leaps = beds.leaps > 0.5;
     const Quad depth_below = max(zero, below.depth - select(leaps, zero, top - bed_below)),
@@ -324,7 +324,7 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
     const Quad given = min(max(zero, 1 - spare * per_flux), (v.cell_size / v.dt) * most * has * per_flux);
     const Quad mass = given * flux;
     const Quad push = 0.5 * inverse * (depth_above * depth_above - depth_below * depth_below);
-    const auto put = [&](Quad value, double* where) FRANA_INLINE_LAMBDA { L::store(value, where + q, n); };
+    const auto put = [&](Quad value, double* where) FRANA_INLINE_LAMBDA { value.store(where + q); };
     put(mass, to.mass);
     // Waves on a pool move it horizontally however steep its bed is: what smooths them there is the difference of the
     // velocities in map view. That of velocities along two different beds would drive them.
@@ -476,11 +476,11 @@ void read_row(const Cells& c, std::size_t first, std::size_t count, const double
 void sides_of_row(const CellRow& a, const CellRow& b, const CellRow& c, std::size_t count, const StepValues& v,
                   const SideRow& before, const SideRow& after) {
     const double half = 0.5 * v.dt / v.cell_size;
-    for (std::size_t q = 0; q < count; q += 4) sides_of(a, b, c, q, 4, half, v.dry, before, after);
+    for (std::size_t q = 0; q < count; q += 4) sides_of(a, b, c, q, half, v.dry, before, after);
 }
 void faces_of_row(const CellRow& a, const CellRow& b, const CellRow& c, const CellRow& d, const SideRow& below,
                   const SideRow& above, std::size_t count, const StepValues& v, const FaceRow& to) {
-    for (std::size_t q = 0; q < count; q += 4) flow_through(a, b, c, d, below, above, q, 4, v, to);
+    for (std::size_t q = 0; q < count; q += 4) flow_through(a, b, c, d, below, above, q, v, to);
 }
 void update_row(const Cells& c, std::size_t first, std::size_t count, bool along_y, const StepValues& v,
                 const FaceRow& before, const FaceRow& after) {

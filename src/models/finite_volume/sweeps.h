@@ -431,18 +431,20 @@ class Sweeps {
             for (std::size_t q = 0; q < count; ++q)
                 continue_beyond(row(edge), q, row(edge - out), q, n, out, row(edge + n * out), q);
         };
-        for (std::int64_t j = strip.region.j0 - 2; j < strip.region.j0 + 2; ++j) read(j, row(j));
+        const auto read_next = [&](std::int64_t j) {
+            const std::int64_t end = s_.nodes.padded_rows() - k_ghost;
+            read(j, row(j));
+            if (j >= end) continue_row(end - 1, 1, static_cast<int>(j + 1 - end));
+        };
+        for (std::int64_t j = strip.region.j0 - 2; j < strip.region.j0 + 2; ++j) read_next(j);
         for (int n = 1; strip.region.j0 == k_ghost && n <= 2; ++n) continue_row(k_ghost, -1, n);
-        const std::int64_t end = s_.nodes.padded_rows() - k_ghost;
-        if (strip.region.j0 + 1 == end) continue_row(end - 1, 1, 1);  // a strip of one row, whose next is read already
         int now = 0;
         sides(strip.region.j0 - 1);
         faces(strip.region.j0, now);
         const double rate = v_.dt / v_.cell_size;
         if (strip.region.j0 == k_ghost) strip.left -= rate * sum(work.faces[now].mass, count);
         for (std::int64_t j = strip.region.j0; j < strip.region.j1; ++j) {
-            read(j + 2, row(j + 2));
-            if (j + 2 >= end) continue_row(end - 1, 1, static_cast<int>(j + 3 - end));
+            read_next(j + 2);
             faces(j + 1, 1 - now);
             for (int n = 0; n < carried(); ++n)
                 change(work.carried[now][n], work.carried[1 - now][n], count, rate,
