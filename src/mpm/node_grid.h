@@ -27,7 +27,7 @@ struct alignas(64) NodeSums {
     double area;             ///< area that the particles claim [m2]
     double area_bed;         ///< area times elevation of the bed relative to the node's bed [m3]; with reference levels
                              ///< only
-    double unused;
+    double unused;           ///< vector loads take four at a time
 };
 
 /// Forces on the node.

@@ -70,8 +70,7 @@ inline bool is_own_file(const std::string& value) {
     return value.ends_with(".ini");
 }
 
-/// Returns the file that a key names; none, with a problem, if there is none of this name. `more`: what it may be
-/// besides.
+/// Returns the file that a key names; none, with a problem, if there is none of this name.
 std::optional<std::string> data_file_of(const std::string& value, const std::string& share, const DataFolder& of,
                                         const Place& where, Problems& problems);
 
