@@ -161,14 +161,10 @@ std::vector<std::string> overrides(const boost::program_options::variables_map& 
 Scheme coarse_scheme(const SceneReading& reading, const std::vector<std::string>& set) {
     const Scheme own = reading.scene.numerics.scheme;
     if (own != Scheme::standard || reading.scene.material.model == "structured") return own;
-    std::vector<std::string> all = set;
-    all.push_back("numerics.scheme=" + word_of(Scheme::finite_volume, k_schemes));
-    try {
-        static_cast<void>(read_scene(reading.scene.file, all, share_directory()));
-    } catch (const Error&) {
-        return own;
-    }
-    return Scheme::finite_volume;
+    const SceneReading other = read_scene(
+        reading.scene.file, overridden(set, {"numerics.scheme=" + word_of(Scheme::finite_volume, k_schemes)}),
+        share_directory());
+    return other.problems.empty() ? Scheme::finite_volume : own;
 }
 
 // Chooses the scene's cells for numerics.accuracy: those that an interrupted run had chosen, or by coarser runs. None:
