@@ -19,7 +19,6 @@ CommandForm bench_form() {
         "Measures frana itself. accuracy: cases with exact solutions, every scheme, several resolutions.\nstability: "
         "hard cases. speed: particle-steps per second. Prints the table; with --out also writes\naccuracy.csv and "
         "accuracy.png, stability.csv, or speed.csv and speed.png.\naccuracy takes a quarter of an hour, with --quick "
-        "under "
         "a minute.",
         "accuracy|stability|speed",
         {}};

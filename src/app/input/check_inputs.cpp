@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analysis/ground_statistics.h"
+#include "analysis/runout.h"
 #include "analysis/touched_cells.h"
 #include "app/input/layer_values.h"
 #include "app/input/survey_input.h"
@@ -245,6 +246,24 @@ void refuse_elevations(const SceneReading& reading, const TerrainInput& ground, 
                   "Give the thickness, or the surfaces before and after: difference:PRE,POST"});
 }
 
+/// A lake ends at its shore but where its dam breaks: a level of another height system drowns the whole perimeter.
+void question_level(const ReleaseInput& release, const TerrainInput& ground, RunLog& log) {
+    constexpr double k_drowned = 0.25, k_deep = 0.5;  // of the perimeter; [m]
+    double all = 0, drowned = 0;
+    for (const ReleaseArea& one : release.areas) {
+        for (std::size_t i = 0; one.level && i < one.outline.size(); ++i) {
+            for (const Station& station : stations(one.outline[i].outer, ground.terrain.grid.cell_size)) {
+                const double z = cell_value(ground.terrain, station.place);
+                all += std::isnan(z) ? 0 : 1;
+                drowned += *one.level - z > k_deep ? 1 : 0;
+            }
+        }
+    }
+    if (drowned > k_drowned * all)
+        log.warn(worded("release.level is over the ground on {1} % of the perimeter: check it",
+                        {numeral(number_text(100 * drowned / all, 2))}));
+}
+
 /// The least that a map shows is the release; the flow, of which nothing is known yet, needs more.
 void check_map_scale(const SceneReading& reading, const MultiPolygon& outlines, Problems& problems) {
     const OutputSpec& output = reading.scene.output;
@@ -325,6 +344,7 @@ void check_release(const SceneReading& reading, const TerrainInput& ground, cons
         check_thickness_raster(reading, *area->thickness_raster, cover, log, problems);
     check_greatest(reading, ground, release, outlines, cover, log, problems);
     refuse_elevations(reading, ground, release, cover, problems);
+    question_level(release, ground, log);
     check_map_scale(reading, outlines, problems);
     check_difference(reading, ground, release, cover, log, problems);
     check_overlap(reading, release, ground.terrain.grid, log, problems);

@@ -65,6 +65,18 @@ TEST_F(ReleaseLevel, MayBelongToEachPolygon) {
     EXPECT_NE(below.err.find("the level lies below the ground"), std::string::npos) << below.err;
 }
 
+// 30 m too high, as ellipsoidal heights are, it drowns the rim of the basin; right, it ends at its shore.
+TEST_F(ReleaseLevel, AboveTheRimIsTold) {
+    const auto told = [&](const std::string& level) {
+        write_lake("level = " + level);
+        const Outcome outcome = frana({"check", "scene.ini"});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return outcome.err.find("% of the perimeter: check it") != std::string::npos;
+    };
+    EXPECT_TRUE(told("1062.5"));
+    EXPECT_FALSE(told("1012.5"));
+}
+
 TEST_F(ReleaseLevel, StandsAlone) {
     write_lake("level = 1012.5\nthickness = 2\nvolume = 1000\nthickness-direction = normal\ndtm-contains-release = on");
     const Outcome outcome = frana({"check", "scene.ini"});
