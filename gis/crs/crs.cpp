@@ -168,13 +168,13 @@ struct Unit {
 
 // The feet are exact by definition.
 constexpr Unit k_units[] = {
-    {"metre", worded("metre"), 1, {"m", "metre", "metres", "meter", "meters"}},
-    {"decimetre", worded("decimetre"), 0.1, {"dm", "decimetre", "decimeter"}},
-    {"centimetre", worded("centimetre"), 0.01, {"cm", "centimetre", "centimeter"}},
-    {"millimetre", worded("millimetre"), 0.001, {"mm", "millimetre", "millimeter"}},
-    {"foot", worded("foot"), 0.3048, {"ft", "foot", "feet", "internationalfoot"}},
+    {"metre", "m", 1, {"m", "metre", "metres", "meter", "meters"}},
+    {"decimetre", "dm", 0.1, {"dm", "decimetre", "decimeter"}},
+    {"centimetre", "cm", 0.01, {"cm", "centimetre", "centimeter"}},
+    {"millimetre", "mm", 0.001, {"mm", "millimetre", "millimeter"}},
+    {"foot", "ft", 0.3048, {"ft", "foot", "feet", "internationalfoot"}},
     {"us-survey-foot",
-     worded("US survey foot"),
+     "ftUS",
      1200.0 / 3937.0,
      {"ftus", "usft", "ussurveyfoot", "ussurveyfeet", "footus", "footussurvey", "sft"}},
 };
@@ -205,7 +205,7 @@ VerticalUnit vertical_unit_of(const std::string& band_unit, const std::string& c
         if (one_of(word, unit.words)) return known(unit);
     if (!band_unit.empty()) return {band_unit, 1, false, true};
     const double metres = crs_wkt.empty() ? 0 : vertical_metres_per_unit(crs_wkt);
-    if (metres == 0) return {};
+    if (metres == 0) return {k_units[0].name};
     // Units are stored with rounded factors in some files.
     for (const Unit& unit : k_units)
         if (std::abs(metres - unit.metres) < (unit.metres == 1 ? 1e-12 : 1e-9)) return known(unit);

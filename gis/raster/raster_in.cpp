@@ -97,14 +97,10 @@ Method method_for(Resampling wanted, Point source_cells_per_cell) {
 
 std::optional<Sentence> unit_warning(const RasterInfo& info, const VerticalUnit& unit, const std::string& crs) {
     if (!unit.known) {
-        return worded("{1}: its values are in \"{2}\", which is not a unit of length; used without conversion",
-                      {info.path, unit.name});
+        return worded("{1}: vertical unit \"{2}\" unknown, not converted", {info.path, unit.name});
     }
     if (!unit.stated && std::abs(metres_per_unit(crs) - 1) > 1e-9) {
-        return worded(
-            "{1}: eastings and northings are not in metres and the file does not state the unit of its values; they "
-            "were taken as metres. If they are feet, set the vertical unit",
-            {info.path});
+        return worded("{1}: vertical unit not stated, taken as metres: set the vertical unit", {info.path});
     }
     return {};
 }

@@ -28,7 +28,7 @@ struct RasterInfo {
     bool has_nodata = false;
     double nodata = 0;
     std::string band_unit;                ///< of the values, as in the file; empty: none
-    std::string vertical_unit;            ///< "metre" if the file has none
+    std::string vertical_unit;            ///< "m" if the file has none
     bool vertical_unit_stated = false;    ///< by the band or by the CRS
     double vertical_scale_to_metres = 1;  ///< of that unit
     bool rotated = false;                 ///< rows do not run to the east

@@ -25,10 +25,8 @@ namespace {
 constexpr double k_wall = 0.25;
 
 Sentence undeclared(const std::string& path, std::int64_t cells, double value) {
-    return worded(
-        "{1}: {2} cells have the value {3}, which the file does not declare as nodata; they were read as values. If "
-        "they are nodata, declare it: gdal_edit.py -a_nodata {3} FILE",
-        {path, std::to_string(cells), shortest_text(value)});
+    return worded("{1}: {2} cells of {3}, not declared nodata: gdal_edit.py -a_nodata {3} FILE",
+                  {path, std::to_string(cells), shortest_text(value)});
 }
 
 }  // namespace

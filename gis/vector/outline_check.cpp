@@ -231,9 +231,8 @@ void repair(const OGRGeometry& geometry, const std::string& error_text, double a
     if (repaired) polygons = polygon_parts(*repaired).polygons;
     double area_after = 0;
     for (const auto& polygon : polygons) area_after += polygon->get_Area();
-    found.repairs.push_back(
-        worded("the outline was repaired ({1}): area {2} before, {3} after, in its own units squared",
-               {error_text, numeral(area_text(area_before)), numeral(area_text(area_after))}));
+    found.repairs.push_back(worded("outline repaired ({1}): area {2} before, {3} after",
+                                   {error_text, numeral(area_text(area_before)), numeral(area_text(area_after))}));
     for (auto& polygon : polygons) found.polygons.push_back(std::move(polygon));
 }
 
@@ -270,9 +269,8 @@ OutlineCheck check_outline(std::vector<std::unique_ptr<OGRPolygon>> polygons) {
     if (united) found.polygons = polygon_parts(*united).polygons;
     double area_after = 0;
     for (const auto& polygon : found.polygons) area_after += polygon->get_Area();
-    found.repairs.push_back(
-        worded("parts overlap or touch and were united ({1}): area {2} before, {3} after, in its own units squared",
-               {error_text, numeral(area_text(sum)), numeral(area_text(area_after))}));
+    found.repairs.push_back(worded("overlapping parts united ({1}): area {2} before, {3} after",
+                                   {error_text, numeral(area_text(sum)), numeral(area_text(area_after))}));
     return found;
 }
 

@@ -65,7 +65,7 @@ PolygonFeature read_feature(const OGRFeature& from, const VectorSource& source, 
     PolygonParts parts = polygon_parts(*geometry);
     if (parts.closed_lines > 0) {
         warnings.add("line",
-                     worded("{1}: feature {2} is a closed line and was taken as an area", {source.where.text, number}));
+                     worded("{1}: feature {2} is a closed line, taken as an area", {source.where.text, number}));
     }
     if (parts.unbounded > 0) {
         problem("has a coordinate that is non-finite or too large", "beyond " + shortest_text(k_furthest), "Redraw it");
@@ -230,8 +230,7 @@ bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const VectorS
                                        numeral(shortest_text(std::round(shared * 10) / 10))}));
     }
     for (Sentence& text : counted.texts()) warnings.push_back(std::move(text));
-    if (found.size() >= k_most_overlaps)
-        warnings.back() = worded("{1} (further pairs were not checked)", {warnings.back()});
+    if (found.size() >= k_most_overlaps) warnings.back() = worded("{1}; {2}", {warnings.back(), std::string("...")});
     return !found.empty();
 }
 

@@ -83,10 +83,8 @@ PageBox draw_north_arrow(Sheet& sheet, const PageStyle& style, Point centre, dou
 std::string convergence_words(double convergence_deg, const Words& words) {
     if (std::fabs(convergence_deg) < 0.05) return {};
     std::array<char, 64> degrees{};
-    std::snprintf(degrees.data(), degrees.size(), "%.1f", std::fabs(convergence_deg));
-    return words(convergence_deg > 0 ? worded("true north {1}\u00B0 east of grid north")
-                                     : worded("true north {1}\u00B0 west of grid north"),
-                 {words.number(degrees.data())});
+    std::snprintf(degrees.data(), degrees.size(), "%+.1f", convergence_deg);
+    return words("true north at grid azimuth {1}°", {words.number(degrees.data())});
 }
 
 TextStyle shrunk_to_fit(const Lettering& lettering, const std::string& words, TextStyle style, double width,

@@ -164,18 +164,12 @@ const ViewSpec& checked(const ViewSpec& spec) {
 }
 
 std::string direction_words(double azimuth_deg, const Words& words) {
-    constexpr std::array<const char*, 16> k_winds{worded("N"), worded("NNE"), worded("NE"), worded("ENE"),
-                                                  worded("E"), worded("ESE"), worded("SE"), worded("SSE"),
-                                                  worded("S"), worded("SSW"), worded("SW"), worded("WSW"),
-                                                  worded("W"), worded("WNW"), worded("NW"), worded("NNW")};
-    const double turn = azimuth_deg - 360 * std::floor(azimuth_deg / 360);
-    const auto wind = static_cast<std::size_t>(std::lround(turn / 22.5)) % k_winds.size();
-    return words("view to the {1}", {words(k_winds[wind])});
+    const long turn = std::lround(azimuth_deg - 360 * std::floor(azimuth_deg / 360)) % 360;
+    return words("view azimuth {1}°", {std::to_string(turn)});
 }
 
 std::string exaggeration_words(double exaggeration, const Words& words) {
-    return exaggeration == 1 ? words("heights true to scale")
-                             : words("heights exaggerated {1} times", {words.number(number(exaggeration))});
+    return words("heights × {1}", {words.number(number(exaggeration))});
 }
 
 const Raster* extent_of(const ViewSpec& spec) {

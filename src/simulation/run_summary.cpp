@@ -67,13 +67,13 @@ struct PlaceValue {
     [[nodiscard]] std::string before() const { return std::string(kind) + " "; }
     [[nodiscard]] std::string after() const { return std::string(": ") + key; }
     [[nodiscard]] RunValue at(const std::string& name, double value, double negligible) const {
-        return {before() + name + after(), worded(title, {name}), unit, value, 0, negligible};
+        return {before() + name + after(), worded("{1}: {2}", {name, Sentence(title)}), unit, value, 0, negligible};
     }
 };
-constexpr PlaceValue k_gauge_depth{"gauge", "max_depth_m", worded("greatest depth at gauge {1}"), "m"},
-    k_gauge_speed{"gauge", "max_speed_ms", worded("greatest speed at gauge {1}"), "m/s"},
-    k_section_discharge{"section", "max_discharge_m3s", worded("greatest discharge through {1}"), "m3/s"},
-    k_section_volume{"section", "volume_m3", worded("volume through {1}"), "m3"};
+constexpr PlaceValue k_gauge_depth{"gauge", "max_depth_m", worded("Maximum depth"), "m"},
+    k_gauge_speed{"gauge", "max_speed_ms", worded("Maximum velocity"), "m/s"},
+    k_section_discharge{"section", "max_discharge_m3s", worded("Maximum discharge"), "m3/s"},
+    k_section_volume{"section", "volume_m3", worded("Volume"), "m3"};
 
 void add_gauges(const RunResult& result, const Scene& scene, std::vector<RunValue>& values) {
     const std::vector<Gauge>& gauges = scene.recording.gauges;

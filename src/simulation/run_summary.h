@@ -40,7 +40,7 @@ Raster intensity_classes(const RunResult& result, const HazardScheme& scheme);
 /// A value of a run whose error numerics.accuracy estimates.
 struct RunValue {
     std::string key;  ///< "covered_area_m2", "gauge bridge: max_depth_m"
-    Sentence title;   ///< "covered area", "greatest depth at gauge {1}"
+    Sentence title;   ///< "Covered area", "bridge: Maximum depth"
     std::string unit;
     double value = 0;
     double resolution = 0;  ///< error of its measurement, whatever the cell size's convergence
@@ -72,15 +72,15 @@ struct RunStatistic {
 
 inline constexpr const char* k_run_out_key = "runout_m";
 inline constexpr RunStatistic k_run_statistics[] = {
-    {"max_depth_m", "maximum depth", "m", [](const RunStatistics& f) { return f.depth.greatest; }},
-    {"max_depth_p999_m", "99.9 % depth", "m", [](const RunStatistics& f) { return f.depth.p999; }},
-    {"max_depth_p99_m", "99 % depth", "m", [](const RunStatistics& f) { return f.depth.p99; }},
-    {"max_velocity_ms", "maximum velocity", "m/s", [](const RunStatistics& f) { return f.speed.greatest; }},
-    {"max_velocity_p999_ms", "99.9 % velocity", "m/s", [](const RunStatistics& f) { return f.speed.p999; }},
-    {"max_velocity_p99_ms", "99 % velocity", "m/s", [](const RunStatistics& f) { return f.speed.p99; }},
-    {"covered_area_m2", "covered area", "m2", [](const RunStatistics& f) { return f.covered_area; }},
-    {k_run_out_key, "run-out", "m", [](const RunStatistics& f) { return f.run_out; }},
-    {"final_depth_fraction", "volume in final_depth", "-",
+    {"max_depth_m", "Maximum depth", "m", [](const RunStatistics& f) { return f.depth.greatest; }},
+    {"max_depth_p999_m", "99.9th percentile of depth", "m", [](const RunStatistics& f) { return f.depth.p999; }},
+    {"max_depth_p99_m", "99th percentile of depth", "m", [](const RunStatistics& f) { return f.depth.p99; }},
+    {"max_velocity_ms", "Maximum velocity", "m/s", [](const RunStatistics& f) { return f.speed.greatest; }},
+    {"max_velocity_p999_ms", "99.9th percentile of speed", "m/s", [](const RunStatistics& f) { return f.speed.p999; }},
+    {"max_velocity_p99_ms", "99th percentile of speed", "m/s", [](const RunStatistics& f) { return f.speed.p99; }},
+    {"covered_area_m2", "Covered area", "m2", [](const RunStatistics& f) { return f.covered_area; }},
+    {k_run_out_key, "Run-out", "m", [](const RunStatistics& f) { return f.run_out; }},
+    {"final_depth_fraction", "Volume in final_depth", "-",
      [](const RunStatistics& f) { return f.final_depth_fraction; }},
 };
 
@@ -100,16 +100,16 @@ SeparateFlows separate_flows(const RunResult& result);
 /// in the report, and in studies.
 struct PeakStatistic {
     const char *name, *key_unit;  ///< "max_depth", "m"
-    const char* title;            ///< "depth, vertical"
+    const char* title;            ///< "Maximum depth"
 
     /// Its row in the table of rasters.
     [[nodiscard]] const ResultRaster& row() const { return *find_result_raster(name); }
 };
 
 inline constexpr std::array<PeakStatistic, 3> k_peak_statistics{{
-    {RasterName::max_depth, "m", worded("depth, vertical")},
-    {RasterName::max_velocity, "ms", worded("speed, along the ground")},
-    {RasterName::max_pressure, "kpa", worded("dynamic pressure")},
+    {RasterName::max_depth, "m", worded("Maximum depth")},
+    {RasterName::max_velocity, "ms", worded("Maximum velocity")},
+    {RasterName::max_pressure, "kpa", worded("Maximum dynamic pressure")},
 }};
 
 /// One for each value, over the cells of a trace.

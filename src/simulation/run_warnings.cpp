@@ -39,6 +39,10 @@ constexpr double k_flat_release = 2, k_steep_release = 55;
 // Granular flows and mudflows run out over 5 to 35 degrees. Feet read as metres turn 30 degrees into 62.
 constexpr double k_steep_path = 45;
 
+Sentence place_of(Point place) {
+    return worded("E {1}, N {2}", {numeral(grouped(place.x)), numeral(grouped(place.y))});
+}
+
 Sentence percent(double fraction) {
     return numeral(number_text(100 * fraction, 2));
 }
@@ -46,7 +50,7 @@ Sentence percent(double fraction) {
 /// Warns of ground without elevation that the flow came to: it may have gone farther.
 void warn_of_gaps(const RunResult& result, const Scene& scene, Warnings& warnings) {
     if (const GapContact wall = gap_contact(result, scene, NodataPolicy::wall); wall.cells > 0)
-        warnings.push_back({worded("terrain.nodata-policy = wall holds back flow up to {1} m deep, on {2} cells",
+        warnings.push_back({worded("terrain.nodata-policy = wall holds flow {1} m deep, {2} cells",
                                    {numeral(number_text(wall.depth, 3)), numeral(std::to_string(wall.cells))}),
                             false});
     const GapContact gap = gap_contact(result, scene);
@@ -86,12 +90,9 @@ void warn_of_motion(const RunResult& result, Warnings& warnings) {
 void warn_of_thin_flow(const RunResult& result, const Scene& scene, Warnings& warnings) {
     if (result.thin_fraction < k_thin_fraction) return;
     const double minimum = scene.numerics.minimum_depth;
-    const bool was_visible = maximum(result.raster(RasterName::max_depth)) > 0;
-    warnings.push_back(
-        {worded(was_visible ? worded("{1} % of flow thinner than numerics.minimum-depth = {2} m: lower it")
-                            : worded("empty maps: {1} % thinner than numerics.minimum-depth = {2} m: lower it"),
-                {percent(result.thin_fraction), shortest_text(minimum)}),
-         true});
+    warnings.push_back({worded("{1} % of flow thinner than {2} = {3} m: lower it",
+                               {percent(result.thin_fraction), "numerics.minimum-depth", shortest_text(minimum)}),
+                        true});
 }
 
 /// Warns of flow on maps that is not in outlines and run-out.
@@ -113,10 +114,10 @@ void warn_of_energy(const RunResult& result, Warnings& warnings) {
 void warn_of_piles(const RunResult& result, const Scene& scene, Warnings& warnings) {
     const std::optional<Pile> pile = highest_pile(result, scene);
     if (!pile || pile->height <= k_pile * maximum(result.raster(RasterName::final_depth))) return;
-    warnings.push_back({worded("deposit of {2} m at E {3}, N {4} uncertain by {1} m: use smaller cells",
-                               {numeral(number_text(pile->height, 2)), numeral(number_text(pile->depth, 3)),
-                                numeral(grouped(pile->place.x)), numeral(grouped(pile->place.y))}),
-                        false, pile->place});
+    warnings.push_back(
+        {worded("deposit {2} m, uncertain by {1} m at {3}: use smaller cells",
+                {numeral(number_text(pile->height, 2)), numeral(number_text(pile->depth, 3)), place_of(pile->place)}),
+         false, pile->place});
 }
 
 /// Width of the flow, in cells, where it was faster than half of its greatest speed: the median of the least of four
@@ -151,7 +152,7 @@ void warn_of_narrow_flow(const RunResult& result, const Scene& scene, Warnings& 
     if (result.steps == 0) return;
     const double width = fast_width(result, scene.time.trace_threshold);
     if (width > k_narrow) return;
-    warnings.push_back({worded("the flow is {1} cells wide: speeds uncertain by a third; use smaller cells",
+    warnings.push_back({worded("flow {1} cells wide, speeds uncertain by a third: use smaller cells",
                                {numeral(number_text(width, 2))}),
                         false});
 }
@@ -190,17 +191,15 @@ void warn_of_file_volume(const Scene& scene, const std::vector<ReleasedArea>& ar
     for (const ReleasedArea& area : areas) {
         released += area.volume;
         if (area.scaled > k_scaled || area.scaled < 1 / k_scaled)
-            warnings.push_back(
-                worded("the thickness was scaled by {1} to its file's volume: look for values that mean no data",
-                       {numeral(number_text(area.scaled, 3))}));
+            warnings.push_back(worded("thickness scaled by {1} to its file's volume: check nodata",
+                                      {numeral(number_text(area.scaled, 3))}));
     }
     const double difference = released / file.inside - 1, part = file.inside / file.all;
     if (part > k_of_this_mass && part < 1 - k_different)
-        warnings.push_back(
-            worded("the thickness raster contains {1} m3, the perimeter has {2} m3: {3} % are not released",
-                   {numeral(grouped(file.all)), numeral(grouped(file.inside)), percent(1 - part)}));
+        warnings.push_back(worded("thickness raster {1} m3, perimeter {2} m3: {3} % not released",
+                                  {numeral(grouped(file.all)), numeral(grouped(file.inside)), percent(1 - part)}));
     if (std::abs(difference) > k_different)
-        warnings.push_back(worded("release of {2} m3, thickness raster {1} m3 inside the perimeter ({3} %)",
+        warnings.push_back(worded("release {2} m3, its raster {1} m3 ({3} %)",
                                   {numeral(grouped(file.inside)), numeral(grouped(released)), percent(difference)}));
 }
 
@@ -256,7 +255,7 @@ Warnings structured_warnings(const StructuredMaterial& m, double thickness, doub
     constexpr double k_edge = 0.81;
     const double least = k_edge * std::tan(e.steepest_bed * std::numbers::pi / 180) * cell_size;
     if (thickness > 0 && thickness < least)
-        warnings.push_back(worded("release {1} m thick, under {2} m: its edges stand. Set terrain.cell-size = {3}",
+        warnings.push_back(worded("release {1} m thick, edges stand under {2} m: terrain.cell-size = {3}",
                                   {numeral(number_text(thickness, 3)), numeral(number_text(least, 3)),
                                    number_text(0.5 * thickness / least * cell_size, 2)}));
     const double shortest = k_least_length * cell_size, longest = k_greatest_default * cell_size;
@@ -278,9 +277,9 @@ Warnings thin_release_warnings(const Raster& release, const Scene& scene) {
         });
         const double fraction = all > 0 ? thin / all : 0;
         if (fraction <= k_thin_fraction) return;
-        warnings.push_back({worded("{1} % of release thinner than {2} = {3} m: lower it",
-                                   {percent(fraction), key, shortest_text(depth)}),
-                            true});
+        warnings.push_back(
+            {worded("{1} % of flow thinner than {2} = {3} m: lower it", {percent(fraction), key, shortest_text(depth)}),
+             true});
     };
     warn("numerics.minimum-depth", scene.numerics.minimum_depth);
     if (scene.time.trace_threshold > scene.numerics.minimum_depth)
@@ -306,20 +305,16 @@ Warnings release_warnings(const Scene& scene, const Raster& bed, const Raster& r
                           const std::vector<ReleasedArea>& areas, std::int64_t particles) {
     Warnings warnings;
     if (scene.file_volume) warn_of_file_volume(scene, areas, warnings);
-    const bool by_raster = std::any_of(scene.release.begin(), scene.release.end(),
-                                       [](const ReleaseArea& area) { return area.thickness_raster.has_value(); });
     const bool still = std::any_of(scene.release.begin(), scene.release.end(),
                                    [](const ReleaseArea& area) { return area.level.has_value(); });
     const SurfaceStep step = still ? SurfaceStep{} : greatest_step(bed, release);
     if (step.height > std::max(k_high_step, k_steep_step * release.grid.cell_size))
-        warnings.push_back(worded(
-            by_raster ? worded("release step of {1} m at E {2}, N {3}: align its raster")
-                      : worded("release step of {1} m at E {2}, N {3}: first speeds uncertain"),
-            {numeral(number_text(step.height, 3)), numeral(grouped(step.place.x)), numeral(grouped(step.place.y))}));
+        warnings.push_back(worded("release step of {1} m at {2}: check its raster",
+                                  {numeral(number_text(step.height, 3)), place_of(step.place)}));
     for (const ReleasedArea& area : areas) {
         const double width = std::sqrt(area.area), thickness = area.area > 0 ? area.volume / area.area : 0;
         if (thickness <= k_stout * width) continue;
-        warnings.push_back(worded("release {1} m thick on average, of {2} m2: too thick for depth-averaging",
+        warnings.push_back(worded("release {1} m thick, {2} m2: too thick for depth-averaging",
                                   {numeral(number_text(thickness, 3)), numeral(grouped(area.area))}));
     }
     if (particles > 0 && particles < k_few_particles)
@@ -328,11 +323,9 @@ Warnings release_warnings(const Scene& scene, const Raster& bed, const Raster& r
 }
 
 Sentence released_sentence(const ReleasedArea& area, std::size_t index) {
-    const Sentence name = area.name.empty() ? worded("release area {1}", {std::to_string(index + 1)})
-                                            : worded("release area {1} '{2}'", {std::to_string(index + 1), area.name});
-    return worded(
-        area.start > 0 ? worded("{1}: {2} m3 from {3} m2, at {4} s") : worded("{1}: {2} m3 from {3} m2"),
-        {name, numeral(grouped(area.volume)), numeral(grouped(area.area)), numeral(shortest_text(area.start))});
+    return worded("release {1}: {2} m3, {3} m2, at {4} s",
+                  {std::to_string(index + 1) + (area.name.empty() ? "" : " '" + area.name + "'"),
+                   numeral(grouped(area.volume)), numeral(grouped(area.area)), numeral(shortest_text(area.start))});
 }
 
 Warnings run_warnings(const RunResult& result, const Scene& scene) {
@@ -340,14 +333,13 @@ Warnings run_warnings(const RunResult& result, const Scene& scene) {
     for (std::size_t i = 0; i < result.released.size(); ++i)
         if (!result.released[i].failed)
             warnings.push_back(
-                {worded("{1}: not before the end of the run", {released_sentence(result.released[i], i)}), true});
+                {worded("not released before the end: {1}", {released_sentence(result.released[i], i)}), true});
     if (result.stop_reason == StopReason::reached_no_data) {
         warnings.push_back({worded("the run ended at ground without elevation: use a larger DTM"), true});
     }
     HardEvents others = result.hard_events;
     if (result.stop_reason == StopReason::reached_no_data) others.entered_no_data = 0;
-    if (!others.none())
-        warnings.push_back({worded("There were numerical events that do not occur in a good run."), true});
+    if (!others.none()) warnings.push_back({worded("numerical errors, result unreliable: see summary.json"), true});
     warn_of_gaps(result, scene, warnings);
     warn_of_motion(result, warnings);
     if (!result.released.empty() && result.stop_reason != StopReason::requested &&
@@ -385,9 +377,8 @@ Warnings run_warnings(const RunResult& result, const Scene& scene) {
 void warn_of_jumps(const RunResult::Jumps& jumps, RunResult& result) {
     if (jumps.volume < k_jumping * result.volume_entered) return;
     result.warnings.push_back(
-        {worded("{1} m3 ({2} %) would leave the ground at E {3}, N {4}: set numerics.scheme = default",
-                {numeral(grouped(jumps.volume)), percent(jumps.volume / result.volume_entered),
-                 numeral(grouped(jumps.from.x)), numeral(grouped(jumps.from.y))}),
+        {worded("{1} m3 ({2} %) would fly at {3}: set numerics.scheme = default",
+                {numeral(grouped(jumps.volume)), percent(jumps.volume / result.volume_entered), place_of(jumps.from)}),
          true, jumps.from});
 }
 
@@ -451,21 +442,18 @@ Sentence ground_sentence(const GroundStatistics& ground) {
 
 Warnings release_ground_warnings(const GroundStatistics& ground, double friction) {
     const auto degrees = [](double angle) { return numeral(number_text(angle, 2)); };
-    if (ground.mean_slope_deg > k_steep_release)
-        return {worded("the release is nearly vertical, {1} degrees: check terrain.vertical-unit",
-                       {degrees(ground.mean_slope_deg)})};
-    if (ground.mean_slope_deg < k_flat_release)
-        return {worded("the release is nearly flat, {1} degrees: check CRS and terrain.vertical-unit",
+    if (ground.mean_slope_deg > k_steep_release || ground.mean_slope_deg < k_flat_release)
+        return {worded("mean slope of the release {1}°: check CRS and terrain.vertical-unit",
                        {degrees(ground.mean_slope_deg)})};
     const double angle = std::atan(friction) * 180 / std::numbers::pi;
     if (!(friction > 0) || ground.steepest_slope_deg >= angle) return {};
-    return {worded("the release is held by friction ({2} degrees, slope {1}): check terrain.vertical-unit",
+    return {worded("release slope {1}° under its friction {2}°: check terrain.vertical-unit",
                    {degrees(ground.steepest_slope_deg), numeral(number_text(angle, 3))})};
 }
 
 Warnings path_ground_warnings(const GroundStatistics& ground) {
     if (!(ground.mean_slope_deg > k_steep_path)) return {};
-    return {worded("the path is steeper than those of landslides, {1} degrees: check terrain.vertical-unit",
+    return {worded("mean slope of the path {1}°: check terrain.vertical-unit",
                    {numeral(number_text(ground.mean_slope_deg, 2))})};
 }
 

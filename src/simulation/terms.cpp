@@ -19,9 +19,8 @@ constexpr const char* k_by_zones = " by zones";
 
 void add_pores(const PorePressure& pores, Terms& terms) {
     if (pores.active())
-        terms.emplace_back(pores.dissipates() ? worded("pore pressure that dissipates")
-                                              : worded("constant pore pressure"));
-    if (pores.dilates()) terms.emplace_back(worded("dilatancy"));
+        terms.emplace_back(pores.dissipates() ? "pore pressure that dissipates" : "constant pore pressure");
+    if (pores.dilates()) terms.emplace_back("dilatancy");
 }
 
 void add_bed(const Scene& scene, Terms& terms) {
@@ -31,7 +30,7 @@ void add_bed(const Scene& scene, Terms& terms) {
         if (!acts(law, m, zones)) continue;
         terms.push_back(find_law(LawKind::bed_friction, law).sentence);
         if (law == CoulombFriction::word && m.of<CoulombFriction>().surface_pressure > 0)
-            terms.emplace_back(worded("surface pressure"));
+            terms.emplace_back("surface pressure");
     }
     for (const ZoneRaster& zone : k_zone_rasters)
         if (zones.*zone.raster && zone.of_bed_friction) terms.push_back(zone.what + std::string(k_by_zones));
@@ -44,8 +43,7 @@ void add_exchange(const Entrainment& entrainment, Terms& terms) {
 }
 
 void add_finite_volumes(Terms& terms) {
-    terms.push_back(std::string(worded("finite volumes")) + ", " + worded("MUSCL with hydrostatic reconstruction") +
-                    ", HLL");
+    terms.push_back(std::string("finite volumes") + ", " + "MUSCL with hydrostatic reconstruction" + ", HLL");
 }
 
 void add_numerics(const Numerics& numerics, Terms& terms) {
@@ -54,71 +52,56 @@ void add_numerics(const Numerics& numerics, Terms& terms) {
                                return row.transfer == transfer_of(numerics);
                            })->term;
     if (numerics.scheme == Scheme::paper) {
-        terms.push_back(std::string(worded("bilinear shape functions")) + ", " + transfer);
+        terms.push_back(std::string("bilinear shape functions") + ", " + transfer);
         return;
     }
-    terms.push_back(std::string(worded("quadratic B-splines")) + ", " + transfer);
-    if (well_balanced(numerics)) terms.emplace_back(worded("reference level per node"));
-    terms.emplace_back(worded("area relaxation"));
-    terms.emplace_back(worded("compressive artificial viscosity"));
-    if (transfer_of(numerics) == Transfer::apic) terms.emplace_back(worded("splitting and merging"));
+    terms.push_back(std::string("quadratic B-splines") + ", " + transfer);
+    if (well_balanced(numerics)) terms.emplace_back("reference level per node");
+    terms.emplace_back("area relaxation");
+    terms.emplace_back("compressive artificial viscosity");
+    if (transfer_of(numerics) == Transfer::apic) terms.emplace_back("splitting and merging");
 }
 
 void add_solids(const StructuredMaterial& m, bool fluid, Terms& terms) {
-    terms.emplace_back(worded("elasticity and Drucker-Prager plasticity of solids"));
+    terms.emplace_back("elasticity and Drucker-Prager plasticity of solids");
     terms.push_back(find_law(LawKind::bed_friction, CoulombFriction::word).sentence);
-    terms.push_back(std::string(worded("lateral earth pressure")) + ", " + worded("hydrostatic beyond the strength"));
-    if (m.cohesion > 0) terms.emplace_back(worded("cohesion lost with strain"));
+    terms.push_back(std::string("lateral earth pressure") + ", " + "hydrostatic beyond the strength");
+    if (m.cohesion > 0) terms.emplace_back("cohesion lost with strain");
     add_pores(m.pores.pore_pressure(m.fluid_density), terms);
     if (!fluid) return;
-    if (m.cohesion > 0 && m.confined_fraction > 0) terms.emplace_back(worded("release of confined fluid"));
-    terms.emplace_back(worded("buoyancy"));
-    terms.emplace_back(worded("drag"));
-    terms.emplace_back(worded("virtual mass"));
+    if (m.cohesion > 0 && m.confined_fraction > 0) terms.emplace_back("release of confined fluid");
+    terms.emplace_back("buoyancy");
+    terms.emplace_back("drag");
+    terms.emplace_back("virtual mass");
 }
 
 Terms structured_terms(const Scene& scene) {
     const StructuredMaterial& m = *scene.structured;
     const bool fluid = !m.solids || m.solid_fraction < 1;
-    Terms terms{worded("hydrostatic pressure"), worded("bed slope")};
-    if (slope_correction(scene.numerics) != SlopeCorrection::none)
-        terms.emplace_back(worded("slope correction: normal"));
+    Terms terms{"hydrostatic pressure", "bed slope"};
+    if (slope_correction(scene.numerics) != SlopeCorrection::none) terms.emplace_back("slope correction: normal");
     if (m.solids) add_solids(m, fluid, terms);
     if (!fluid) return terms;
     if (m.manning > 0) terms.push_back(find_law(LawKind::bed_friction, ManningFriction::word).sentence);
     if (m.fluid_viscosity > 0) {
         terms.push_back(find_law(LawKind::in_plane_stress, BinghamStress::word).sentence);
-        terms.emplace_back(worded("viscous shear at the bed"));
+        terms.emplace_back("viscous shear at the bed");
     }
     add_finite_volumes(terms);
     return terms;
 }
 
-/// A term is parts between commas, some of which several terms have: "quadratic B-splines, APIC".
-std::string part_in(const std::string& part, const Words& words) {
-    if (!part.ends_with(k_by_zones)) return words(part);
-    const std::string what = part.substr(0, part.size() - std::string_view(k_by_zones).size());
-    return words("{1} by zones", {what == "friction" ? words("friction coefficient") : words(what)});
-}
-
 }  // namespace
-
-std::string term_in(const std::string& term, const Words& words) {
-    const std::string comma = ", ";
-    const std::size_t end = term.find(comma);
-    if (end == std::string::npos) return part_in(term, words);
-    return part_in(term.substr(0, end), words) + comma + term_in(term.substr(end + comma.size()), words);
-}
 
 std::vector<std::string> list_terms(const Scene& scene) {
     if (scene.structured) return structured_terms(scene);
     const Material& material = scene.material;
     const Numerics& numerics = scene.numerics;
-    Terms terms{worded("hydrostatic pressure"), worded("bed slope")};
-    if (slope_correction(numerics) == SlopeCorrection::normal) terms.emplace_back(worded("slope correction: normal"));
-    if (slope_correction(numerics) == SlopeCorrection::surface) terms.emplace_back(worded("slope correction: surface"));
-    if (curvature(numerics)) terms.emplace_back(worded("curvature of the bed"));
-    if (flight(numerics)) terms.emplace_back(worded("flight over edges"));
+    Terms terms{"hydrostatic pressure", "bed slope"};
+    if (slope_correction(numerics) == SlopeCorrection::normal) terms.emplace_back("slope correction: normal");
+    if (slope_correction(numerics) == SlopeCorrection::surface) terms.emplace_back("slope correction: surface");
+    if (curvature(numerics)) terms.emplace_back("curvature of the bed");
+    if (flight(numerics)) terms.emplace_back("flight over edges");
     add_bed(scene, terms);
     if (const std::string stress = in_plane_stress(material); stress != "none") {
         const Law& law = find_law(LawKind::in_plane_stress, stress);

@@ -13,6 +13,5 @@ namespace frana {
 std::vector<std::string> list_terms(const Scene& scene);
 
 /// Returns one of these in a language.
-std::string term_in(const std::string& term, const Words& words);
 
 }  // namespace frana

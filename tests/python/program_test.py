@@ -94,7 +94,7 @@ class AsTheProgram(unittest.TestCase):
     def test_both_warn_in_the_same_words(self):
         usual = {"material.friction-coefficient": "0.3", "time.end": "8"}
         for keys, expected in (({}, "still moves"),
-                               ({"material.friction-coefficient": "0.9"}, "is held by friction"),
+                               ({"material.friction-coefficient": "0.9"}, "under its friction"),
                                ({"output.trace-threshold": "40"}, "thinner than output.trace-threshold"),
                                ({"numerics.minimum-depth": "1.9"}, "thinner than numerics.minimum-depth"),
                                ({"numerics.particles-per-cell": "1"}, "particles only"),

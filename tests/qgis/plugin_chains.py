@@ -250,7 +250,7 @@ def test_region():
     depths, degrees = (gdal.Open(found[name]).ReadAsArray() for name in ("UNION_MAX_DEPTH", "HAZARD_DEGREE"))
     assert (degrees[depths > 1] >= 2).all() and (depths > 1).any()
     names = [node.layer().name() for node in QgsProject.instance().layerTreeRoot().findLayers()]
-    for shown in ("Degree of hazard", "Exposed areas", "Zones of hazard"):
+    for shown in ("Degree of hazard", "Exposed features"):
         assert any(name.startswith(shown) for name in names), names
     # The union is what the slopes do alone.
     alone = [run("run", scene(f"slope{mu}", release_perimeter=polygons(text), release_thickness=str(thickness),

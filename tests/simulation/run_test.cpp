@@ -99,7 +99,7 @@ TEST(Run, FiniteVolumesNameWhatACliffWouldThrow) {
         scene.terrain.values.change_each_stored([&](std::size_t cell, double& z) { z += cell % 120 < 40 ? cliff : 0; });
         const RunResult result = run(scene, {});
         for (const Warning& warning : result.warnings)
-            if (warning.words.text().find("would leave the ground") != std::string::npos) {
+            if (warning.words.text().find("would fly at") != std::string::npos) {
                 EXPECT_TRUE(warning.limits_use);
                 EXPECT_NEAR(warning.place.value_or(Point{}).x, 600000 + 80, 4);
                 return true;

@@ -362,7 +362,7 @@ int cmd_check(const Arguments& arguments) {
     if (trial && trial->meets_gap)
         log.warn(worded("the trial reached cells without elevation: use a larger DTM or terrain.nodata-policy"));
     if (trial && trial->left > k_left)
-        log.warn(worded("{1} % of the volume leaves the DTM in the trial: use a larger DTM or terrain.bounds",
+        log.warn(worded("{1} % of the volume leaves the DTM: use a larger DTM",
                         {numeral(number_text(100 * trial->left, 2))}));
     if (const auto& exposed = prepared.extra.exposure)
         warn_of_unknown_exposure(*exposed, prepared.scene.grid.bounds(), &prepared.scene.terrain, log);

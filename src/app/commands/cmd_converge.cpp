@@ -125,7 +125,7 @@ Level run_level(const Prepared& prepared, const SceneVariants& variants) {
     level.statistics = run_statistics(result, prepared.spec.output.trace_threshold);
     const Sentence size = numeral(number_text(level.cell_size));
     for (const Warning& warning : without(result.warnings, prepared.scene.warnings))
-        level.warnings.push_back(worded("on cells of {1} m: {2}", {size, warning.words}));
+        level.warnings.push_back(worded("{1}: {2}", {worded("cells of {1} m", {size}), warning.words}));
     level.depth = std::move(result.raster(RasterName::max_depth));
     return level;
 }
@@ -332,8 +332,8 @@ std::string sentences(const std::vector<Level>& levels, const std::vector<Estima
 /// Colours of the scene's scheme and of the other one.
 constexpr Rgb k_colours[] = {{0, 90, 181}, {204, 85, 0}};
 
-render::ChartSeries begin_series(const std::vector<SchemeLevels>& schemes, std::size_t scheme, const Words& words) {
-    const std::string name = schemes.size() == 1 ? words("this scene") : schemes[scheme].name();
+render::ChartSeries begin_series(const std::vector<SchemeLevels>& schemes, std::size_t scheme) {
+    const std::string name = schemes.size() == 1 ? "" : schemes[scheme].name();
     render::ChartSeries series{name, k_colours[scheme], {}};
     series.marker = scheme == 0 ? render::Marker::circle : render::Marker::square;
     return series;
@@ -341,10 +341,9 @@ render::ChartSeries begin_series(const std::vector<SchemeLevels>& schemes, std::
 
 /// Greatest error of each level, of the values that converge, against its time.
 render::ChartPanel time_panel(const std::vector<SchemeLevels>& schemes, const Words& words) {
-    render::ChartPanel panel{
-        words("Greatest error of the values that converge"), words("CPU time [s]"), words("estimated error [-]"), {}};
+    render::ChartPanel panel{words("Accuracy"), words("CPU time") + " [s]", words("Estimated error"), {}};
     for (std::size_t s = 0; s < schemes.size(); ++s) {
-        render::ChartSeries series = begin_series(schemes, s, words);
+        render::ChartSeries series = begin_series(schemes, s);
         for (const Level& level : schemes[s].levels)
             if (const double error = schemes[s].worst(level).first; error > 0)
                 series.points.push_back({level.cpu_seconds, error});
@@ -358,18 +357,12 @@ render::ChartPanel time_panel(const std::vector<SchemeLevels>& schemes, const Wo
 /// Difference of each level's values from their extrapolated values, relative to those, against the cell size; and the
 /// errors against time.
 render::Image chart_of(const std::vector<SchemeLevels>& schemes, const Words& words) {
-    render::Chart chart{words("Convergence"),
-                        words("distance from the extrapolated value, else from the finest"),
-                        "",
-                        4,
-                        {},
-                        false,
-                        words};
+    render::Chart chart{words("Convergence"), "", "", 4, {}, false, words};
     for (std::size_t i = 0; i < schemes.front().estimates.size(); ++i) {
         const RunStatistic& name = schemes.front().estimates[i].statistic;
-        render::ChartPanel panel{words(name.title), words("cell size [m]"), words("relative distance [-]"), {}};
+        render::ChartPanel panel{words(name.title), words("Cell size") + " [m]", words("Estimated error"), {}};
         for (std::size_t s = 0; s < schemes.size(); ++s) {
-            render::ChartSeries series = begin_series(schemes, s, words);
+            render::ChartSeries series = begin_series(schemes, s);
             const double limit = schemes[s].estimates[i].convergence.extrapolated;
             for (const Level& level : schemes[s].levels) {
                 const double distance = std::abs(name.of(level.statistics) - limit) / std::abs(limit);
@@ -378,7 +371,7 @@ render::Image chart_of(const std::vector<SchemeLevels>& schemes, const Words& wo
             panel.series.push_back(std::move(series));
         }
         panel.x = panel.y = render::Scale::decades;
-        panel.note = words("no difference between the levels");
+        panel.note = words("no estimate");
         chart.panels.push_back(std::move(panel));
     }
     chart.panels.push_back(time_panel(schemes, words));

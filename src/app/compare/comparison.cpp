@@ -362,22 +362,24 @@ void draw_comparison(const Comparison& comparison, LayerDrawer& drawer, const st
     MapLayer layer;
     layer.notes_alone = true;
     const Words& words = drawer.style().words;
-    const auto area = [&](double value) { return words.number(grouped(value)); };
+    const auto area = [&](double value) { return words.number(grouped(value)) + " m²"; };
     const auto score = [&](double value) { return words.number(number_text(value, 3)); };
-    layer.notes = {
-        words("Deeper than {1} m counts", {words.number(number_text(f.threshold_m))}),
-        words("Observed {1} m²", {area(f.observed_area_m2)}),
-        words("Simulated {1} m²", {area(f.simulated_area_m2)}),
-        words("Area difference {1} %", {words.number(signed_number_text(f.signed_area_difference_percent()))}),
-        words("Hit {1} m²", {area(f.hit_m2)}),
-        words("False alarm {1} m²", {area(f.false_alarm_m2)}),
-        words("Miss {1} m²", {area(f.miss_m2)}),
-        words("Jaccard {1}", {score(f.jaccard)}),
-        words("Dice {1}", {score(f.dice)})};
-    if (comparison.outline) layer.notes.push_back(words("Outlines {1} m apart", {score(comparison.outline->mean_m)}));
+    layer.notes = {words.labelled(words("Depth threshold"), score(f.threshold_m) + " m"),
+                   words.labelled(words("Observed area"), area(f.observed_area_m2)),
+                   words.labelled(words("Simulated area"), area(f.simulated_area_m2)),
+                   words.labelled(words("Area difference"),
+                                  words.number(signed_number_text(f.signed_area_difference_percent())) + " %"),
+                   words.labelled(words("Hit"), area(f.hit_m2)),
+                   words.labelled(words("False alarm"), area(f.false_alarm_m2)),
+                   words.labelled(words("Miss"), area(f.miss_m2)),
+                   words.labelled("Jaccard", score(f.jaccard)),
+                   words.labelled("Dice", score(f.dice))};
+    if (comparison.outline)
+        layer.notes.push_back(
+            words.labelled(words("Distance of the outlines, mean"), score(comparison.outline->mean_m) + " m"));
     layer.title = words("Comparison with the survey");
     layer.values = comparison.classes;
-    layer.source = words("{1}, band {2}", {raster_file(), "1"});
+    layer.source = raster_file();
     for (const ClassText& entry : k_classes)
         layer.categories.push_back({static_cast<double>(entry.kind), class_label(entry.label(), words), entry.colour});
     for (const std::string& file : comparison_pictures(drawer.style(), folder))

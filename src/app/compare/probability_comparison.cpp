@@ -59,10 +59,9 @@ std::string map_of_study(const ResultReader& result, const std::optional<double>
 }
 
 render::ChartPanel reliability_panel(const ProbabilityScores& scores, const Words& words) {
-    render::ChartPanel panel{
-        words("Reliability"), words("probability of the map [-]"), words("observed fraction of the cells [-]"), {}};
+    render::ChartPanel panel{words("Reliability"), words("Probability"), words("Observed fraction of the cells"), {}};
     panel.on_x = panel.on_y = {0, 1};
-    render::ChartSeries classes{words("classes of a tenth"), render::k_chart_colours[0], {}};
+    render::ChartSeries classes{words("Map"), render::k_chart_colours[0], {}};
     classes.marker = render::Marker::circle;
     for (const ReliabilityClass& one : scores.classes)
         if (one.area_m2 > 0) classes.points.push_back({one.mean_probability, one.observed_fraction});
@@ -72,12 +71,13 @@ render::ChartPanel reliability_panel(const ProbabilityScores& scores, const Word
 }
 
 render::ChartPanel roc_panel(const ProbabilityScores& scores, const Words& words) {
-    render::ChartPanel panel{words("ROC over the probability, area {1}", {words.number(number_text(scores.auroc, 3))}),
-                             words("false positive rate [-]"),
-                             words("true positive rate [-]"),
-                             {}};
+    render::ChartPanel panel{
+        words.labelled(words("Area under the ROC curve"), words.number(number_text(scores.auroc, 3))),
+        words("False positive rate"),
+        words("True positive rate"),
+        {}};
     panel.on_x = panel.on_y = {0, 1};
-    render::ChartSeries curve{words("map"), render::k_chart_colours[0], {{0, 0}}};
+    render::ChartSeries curve{words("Map"), render::k_chart_colours[0], {{0, 0}}};
     for (const RocPoint& point : scores.roc)
         curve.points.push_back({point.false_positive_rate, point.true_positive_rate});
     curve.points.push_back({1, 1});
@@ -144,7 +144,7 @@ ProbabilityScores compare_with_survey(const ProbabilityMap& map, const Survey& s
         log.warn(worded("fronts and tips are not compared with a map of probability"));
     const Raster values = padded_to(map.values, bounds(survey.scar), k_no_data);
     if (!values.grid.same_cells(map.values.grid))
-        log.warn(worded("the survey reaches beyond the map; there the probability is 0"));
+        log.warn(worded("survey beyond the rasters: its part outside counts as missed"));
     return score_probability(values, gis::coverage(survey.scar, values.grid));
 }
 
@@ -172,8 +172,8 @@ std::string probability_json(const ProbabilityScores& scores, const ProbabilityM
 render::Chart probability_chart(const ProbabilityScores& scores, const ProbabilityMap& map) {
     const Words& words = map.source.style.words;
     return {page_title(map.source, words("Comparison with the survey")),
-            words("{1}, Brier score {2}, skill {3}", {map.name, words.number(number_text(scores.brier, 3)),
-                                                      words.number(number_text(scores.brier_skill, 3))}),
+            map.name + "; Brier " + words.number(number_text(scores.brier, 3)) + "; " +
+                words.labelled(words("Brier skill"), words.number(number_text(scores.brier_skill, 3))),
             std::string(k_comparison_file),
             2,
             {reliability_panel(scores, words), roc_panel(scores, words)},

@@ -51,8 +51,7 @@ CellList cells_where(const Raster& cover, const std::function<bool(std::size_t)>
 }
 
 Sentence cells_of(const CellList& list) {
-    return worded(list.count == 1 ? worded("{1} cell: {2}") : worded("{1} cells: {2}"),
-                  {numeral(grouped(list.count)), listed(list.first)});
+    return worded("cells: {1} ({2})", {numeral(grouped(list.count)), listed(list.first)});
 }
 
 void check_ground(const SceneReading& reading, const TerrainInput& ground, const Raster& cover, Problems& problems) {
@@ -81,8 +80,7 @@ void check_thickness_raster(const SceneReading& reading, const Raster& thickness
         problems.add({"nothing is released: the thickness raster is nowhere positive inside the perimeter", where, "",
                       "", "Check the raster's position and coordinate reference system"});
     } else if (empty.count > 0) {
-        log.warn(worded("the thickness raster has no value on part of the perimeter, nothing is released there: {1}",
-                        {cells_of(empty)}));
+        log.warn(worded("no thickness on part of the perimeter, nothing released: {1}", {cells_of(empty)}));
     }
 }
 
@@ -115,10 +113,8 @@ void check_difference(const SceneReading& reading, const TerrainInput& ground, c
         problems.add({"would dig the release out of ground that it has left: the DTM is that of after the failure",
                       where, "on", "off", "Set it to off, or take the DTM of before the failure as terrain.dtm"});
     } else if (std::abs(fraction - (contains ? 1 : 0)) > k_most_doubt) {
-        log.warn(worded(
-            "the DTM lies at {1} % of the way from the elevations after the failure to those before it "
-            "(release.thickness): neither of the two. Check that all three are of the same place and height system",
-            {numeral(number_text(100 * fraction, 3))}));
+        log.warn(worded("DTM {1} % from after to before failure: check position and datum",
+                        {numeral(number_text(100 * fraction, 3))}));
     }
 }
 
@@ -143,12 +139,12 @@ void question_raster(std::vector<double> thicknesses, double width, RunLog& log)
     const double greatest = *std::max_element(thicknesses.begin(), thicknesses.end()),
                  median = percentile(std::move(thicknesses), 0.5);
     if (greatest > k_over_median * median)
-        log.warn(worded("release up to {1} m thick, median {2} m: declare no data in its raster",
+        log.warn(worded("release up to {1} m thick, median {2} m: declare nodata",
                         {numeral(number_text(greatest, 3)), numeral(number_text(median, 3))}));
     if (!(greatest > std::max(k_thick, k_of_width * width))) return;
     const bool is_mark = std::abs(greatest - 255) < 1 || std::abs(greatest - 999) < 1;  // of no data
-    log.warn(worded(is_mark ? worded("release up to {1} m thick: declare that value as no data in its raster")
-                            : worded("release up to {1} m thick, {2} m wide: if in cm, convert it"),
+    log.warn(worded(is_mark ? worded("release up to {1} m thick: declare {1} as nodata")
+                            : worded("release up to {1} m thick, {2} m wide: in cm?"),
                     {numeral(number_text(greatest, 3)), numeral(number_text(width, 3))}));
 }
 
@@ -166,7 +162,7 @@ void question_mean(const ReleaseInput& release, const TerrainInput& ground, RunL
                          });
         const bool is_elevation = thickness >= least && thickness <= greatest;
         const bool is_mm = thickness / 100 > k_mean_of_width * width;
-        log.warn(worded(is_elevation ? worded("release {1} m thick: that is the elevation of its ground, no thickness")
+        log.warn(worded(is_elevation ? worded("release {1} m thick: that is the ground's elevation")
                                      : worded("release {1} m thick, {2} m wide: if in {4}, write {3}"),
                         {numeral(number_text(thickness, 4)), numeral(number_text(width, 3)),
                          numeral(number_text(thickness / (is_mm ? 1000 : 100), 3)), is_mm ? "mm" : "cm"}));
@@ -260,7 +256,7 @@ void question_level(const ReleaseInput& release, const TerrainInput& ground, Run
         }
     }
     if (drowned > k_drowned * all)
-        log.warn(worded("release.level is over the ground on {1} % of the perimeter: check it",
+        log.warn(worded("release.level is above {1} % of the perimeter: check it",
                         {numeral(number_text(100 * drowned / all, 2))}));
 }
 
@@ -321,10 +317,8 @@ void question_outline(const MultiPolygon& released, const MultiPolygon& outline,
     const auto all = static_cast<double>(source.size() + observed.size() - both.size());
     const double alike = all > 0 ? static_cast<double>(both.size()) / all : 0;
     if (alike > k_nearly)
-        log.warn(worded(
-            "{1} is nearly the release ({2} % of the cells of either are in both): it must be the outline of all the "
-            "ground that the event covered, not that of its source alone",
-            {where.text, numeral(number_text(100 * alike, 3))}));
+        log.warn(worded("{1} matches the release to {2} %: give the whole event's outline",
+                        {where.text, numeral(number_text(100 * alike, 3))}));
 }
 
 void check_release(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release, RunLog& log,
@@ -426,8 +420,8 @@ void warn_of_directions(const Scene& scene, RunLog& log) {
         const double fall = std::abs(along(ground, {b.x - a.x, b.y - a.y})) / length,
                      across = std::abs(along(ground, {a.y - b.y, b.x - a.x})) / length;
         if (!inflow.azimuth && fall > k_steep && fall > k_along * across)
-            log.warn(worded("inflow.line runs down a slope of {1} %: draw it across the flow",
-                            {numeral(number_text(100 * fall, 2))}));
+            log.warn(
+                worded("inflow.line descends {1} %: draw it across the flow", {numeral(number_text(100 * fall, 2))}));
     }
 }
 
@@ -453,10 +447,8 @@ void warn_of_unknown_exposure(const gis::ExposedLayer& layer, const Bounds& map,
     }
     if (unknown == 0) return;
     const auto whole = [](std::size_t count) { return numeral(grouped(static_cast<double>(count))); };
-    log.warn(
-        worded("{1} of {2} exposed features are off the map or on ground without elevation, the first is {3}: the "
-               "result will say nothing of them",
-               {whole(unknown), whole(layer.features.size()), first}));
+    log.warn(worded("{1} of {2} exposed features off the map or without elevation: {3}",
+                    {whole(unknown), whole(layer.features.size()), first}));
 }
 
 std::optional<GroundStatistics> ground_of_release(const Scene& scene) {

@@ -172,7 +172,7 @@ void tell_of_unit(const LookedAt& working, const Prepared& prepared, RunLog& log
     const double median = percentile(std::move(slopes), 0.5);
     if (!(median > k_steep)) return;
     const double in_feet = std::atan(k_foot * std::tan(median * std::numbers::pi / 180)) * 180 / std::numbers::pi;
-    log.warn(worded("DTM {1}, unit not stated: slopes of {2} degrees ({3} if in feet). Set terrain.vertical-unit",
+    log.warn(worded("DTM {1}: slopes of {2}° ({3}° if feet): set terrain.vertical-unit",
                     {last_part(file.path), numeral(number_text(median, 2)), numeral(number_text(in_feet, 2))}));
 }
 
@@ -209,45 +209,41 @@ void tell(const GroundDoubts& doubts, const LookedAt& here, const Prepared& prep
     const double working = prepared.scene.grid.cell_size;
     const std::string file = last_part(prepared.ground.file.path);
     if (prepared.ground.file.data_type == "Byte")
-        log.warn(worded("DTM {1} has whole numbers from 0 to 255 alone: is it a hillshade?", {file}));
+        log.warn(worded("DTM {1} has values 0 to 255 only: a hillshade?", {file}));
     if (const auto& blocks = doubts.blocks) {
         const double side = std::min(blocks->columns, blocks->rows);
         // Working cells as large as the blocks are right again.
         if (side * here.cell_size > 1.1 * working) {
-            log.warn({worded(blocks->is_blurred
-                                 ? worded("DTM {3}: {1} % of the path is copied cells, interpolated: take the original")
-                                 : worded("DTM {3}: {1} % of the path is copied cells ({2} x {2}): resample bilinear"),
+            log.warn({worded(blocks->is_blurred ? worded("DTM {3}: {1} % of the path interpolated: take the original")
+                                                : worded("DTM {3}: {1} % copied cells ({2} x {2}): resample bilinear"),
                              {whole_percent(blocks->share), numeral(number_text(side, 2)), file}),
                       true});
         }
     }
     if (const auto& terraces = doubts.terraces)
         log.warn(worded(
-            "DTM {4}: {1} % of the path is level between steps of {2} m, first at {3}. Take elevations with "
-            "decimals",
+            "DTM {4}: {1} % in steps of {2} m ({3}): use decimals",
             {whole_percent(terraces->share), numeral(number_text(terraces->step, 3)), here.at(terraces->place), file}));
     if (const auto& seam = doubts.seam)
-        log.warn(
-            worded("DTM {4}: a straight step of {1} m crosses {2} m of the path, at {3}. If tiles meet there, fit them",
-                   {numeral(number_text(seam->height, 2)), numeral(number_text(seam->length * here.cell_size, 3)),
-                    here.at(seam->place), file}));
+        log.warn(worded("DTM {4}: step of {1} m along {2} m ({3}): fit tiles",
+                        {numeral(number_text(seam->height, 2)), numeral(number_text(seam->length * here.cell_size, 3)),
+                         here.at(seam->place), file}));
     if (const auto& pits = doubts.pits) {
         log.warn(
-            {worded("DTM {4}: {1} cells of {2} m are pits in the path, first at {3}: set terrain.nodata-value",
+            {worded("DTM {4}: {1} pits at {2} m elevation ({3}): set terrain.nodata-value",
                     {numeral(grouped(pits->cells)), numeral(number_text(pits->value, 6)), here.at(pits->place), file}),
              true});
     }
     if (const auto& dam = doubts.dam)
-        log.warn(worded("DTM {3}: a dam of {1} m across the path, at {2}: open bridges and culverts",
+        log.warn(worded("DTM {3}: dam of {1} m across the path ({2}): open culverts",
                         {numeral(number_text(dam->height, 2)), here.at(dam->place), file}));
     if (const auto& houses = doubts.houses)
         log.warn(worded(
-            "DTM {4}: {1} houses of about {2} m in the path, first at {3}: take bare ground",
+            "DTM {4}: {1} houses of {2} m ({3}): take bare ground",
             {numeral(grouped(houses->count)), numeral(number_text(houses->height, 2)), here.at(houses->place), file}));
     if (const auto& rough = doubts.rough)
         log.warn(
-            worded("DTM {4}: {1} % of the path stands out by about {2} m, most at {3}. Trees or noise: take a model "
-                   "of the bare ground",
+            worded("DTM {4}: {1} % stands out {2} m ({3}): take bare ground",
                    {whole_percent(rough->share), numeral(number_text(rough->height, 2)), here.at(rough->place), file}));
 }
 

@@ -65,8 +65,7 @@ void stamp(const gis::PolygonLayer& layer, std::size_t feature, double value, co
         problems.add({feature_name(layer, feature) + " covers no cell", where, grouped(drawn) + " m2", "",
                       "Choose smaller cells"});
     } else if (footprint > k_widened * drawn) {
-        warnings.add("narrow", worded("{1}: feature {2} of {3} is narrower than the cells: it covers {4} m2 of the "
-                                      "working grid, the drawn area is {5} m2; choose smaller cells",
+        warnings.add("narrow", worded("{1}, {3}: feature {2} covers {4} of {5} m2: smaller cells",
                                       {key, std::to_string(feature + 1), layer.layer_name, numeral(grouped(footprint)),
                                        numeral(grouped(drawn))}));
     }
@@ -133,9 +132,9 @@ std::optional<gis::PolygonLayer> read_scar(const SceneReading& reading, const Te
             gis::read_polygons, *reading.scene.observed.perimeter, target_crs(reading, ground), where,
             layer_choice(reading, reading.scene.observed.perimeter_layer, "observed.perimeter"));
         files.push_back(used_polygons(worded("Observed outline"), *reading.scene.observed.perimeter, layer));
-        log.warn_of(worded("observed outline"), layer.warnings);
+        log.warn_of(worded("Observed outline"), layer.warnings);
         if (ground != nullptr) {
-            report_transform(worded("observed outline"), layer.transform, ground->terrain.grid.cell_size, log);
+            report_transform(worded("Observed outline"), layer.transform, ground->terrain.grid.cell_size, log);
             is_on_ground(reading, "observed.perimeter", layer.bounds, *ground, true, problems);
         }
         return std::optional(std::move(layer));

@@ -182,11 +182,10 @@ void question_units(const Hydrograph& hydrograph, double line_length, double end
         if (point.discharge > 0) depth = std::max(depth, point.discharge / (line_length * point.speed));
     }
     if (!hydrograph.has_time_unit && last <= k_most_hours && last < k_part_of_run * end)
-        log.warn(worded("hydrograph ends at {1} s of {2} s: name its unit, time_s or time_h",
+        log.warn(worded("hydrograph ends at {1} s of {2} s: time_s or time_h?",
                         {numeral(shortest_text(last)), numeral(grouped(end))}));
     if (!hydrograph.has_discharge_unit && depth > k_deep)
-        log.warn(worded("hydrograph is {1} m deep on its line: name its unit, as discharge_l/s",
-                        {numeral(number_text(depth, 3))}));
+        log.warn(worded("hydrograph {1} m deep on its line: discharge_l/s?", {numeral(number_text(depth, 3))}));
     if (const auto warning = implausible(k_hydrograph_velocity, speed); warning && !hydrograph.has_speed_unit)
         log.warn(*warning);
 }
@@ -205,7 +204,7 @@ void warn_of_late_volume(const std::vector<HydrographPoint>& points, double end,
         late += (1 - from) * length * (at + b.discharge) / 2;
     }
     if (late > k_late * all)
-        log.warn(worded("{1} % of the hydrograph's {2} m3 flow in after time.end = {3} s",
+        log.warn(worded("{1} % of the hydrograph's {2} m3 after time.end = {3} s",
                         {numeral(number_text(100 * late / all, 2)), numeral(grouped(all)), numeral(grouped(end))}));
 }
 
@@ -223,7 +222,7 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
                  layer.crs_label);
         files.push_back(used_lines(worded("Inflow line"), *spec.line, layer));
         if (ground != nullptr)
-            report_transform(worded("inflow line"), layer.transform, ground->terrain.grid.cell_size, log);
+            report_transform(worded("Inflow line"), layer.transform, ground->terrain.grid.cell_size, log);
         if (layer.features.size() > 1 && spec.hydrograph->rfind("attribute:", 0) != 0) {
             problems.add({"the layer contains several lines for one hydrograph", reading.where("inflow.line"),
                           std::to_string(layer.features.size()) + " lines", "1",

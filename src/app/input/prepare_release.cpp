@@ -337,8 +337,8 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
                 read = reading.session.read(gis::read_raster_on, file, ground->terrain.grid, info.crs_wkt,
                                             gis::Resampling::automatic, unit, nodata, where);
             }
-            log.warn_of(worded("thickness"), read.warnings);
-            report_transform(worded("thickness {1}", {file}), read.transform, ground->terrain.grid.cell_size, log);
+            log.warn_of(worded("Release thickness"), read.warnings);
+            report_transform(file, read.transform, ground->terrain.grid.cell_size, log);
             log.note("thickness " + file + ": resampling " + read.resampling_used);
             release.rasters.push_back(info);
             files.push_back(used_raster(worded("Release thickness"), info, read));
@@ -392,8 +392,9 @@ void read_perimeter(const SceneReading& reading, const TerrainInput* ground, std
     files.push_back(used_polygons(worded("Release perimeter"), *reading.scene.release.perimeter, layer));
     log.note("perimeter " + *reading.scene.release.perimeter + ": " + std::to_string(layer.features.size()) +
              " features in " + (layer.crs_label.empty() ? "plain metres" : layer.crs_label));
-    log.warn_of(worded("perimeter"), layer.warnings);
-    if (ground != nullptr) report_transform(worded("perimeter"), layer.transform, ground->terrain.grid.cell_size, log);
+    log.warn_of(worded("Release perimeter"), layer.warnings);
+    if (ground != nullptr)
+        report_transform(worded("Release perimeter"), layer.transform, ground->terrain.grid.cell_size, log);
 }
 
 }  // namespace

@@ -189,7 +189,7 @@ std::optional<Raster> property_raster(const SceneReading& reading, const Terrain
                                       std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
     const std::string& file = (*property.source)->name;
     if (ground == nullptr || !ground->on_demand)
-        return read_zone_raster(reading, ground, property.key, file, nullptr, files, log, problems);
+        return read_zone_raster(reading, ground, property.key, file, false, files, log, problems);
     const std::vector<Parameter>& parameters = scene_parameters();
     const auto within = [reading, key = property.key,
                          fits = find_parameter(parameters, property.key)->fits](double value) {

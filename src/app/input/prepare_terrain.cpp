@@ -76,10 +76,7 @@ std::string automatic_crs(const SceneReading& reading, const gis::RasterInfo& dt
         std::string own = reading.session.read(gis::horizontal_crs, dtm.crs_wkt);
         const gis::MapScale scale = reading.session.read(gis::map_scale, own, centre);
         if (scale.error() <= k_largest_scale_error) return own;
-        log.warn(
-            worded("DTM: lengths in {1} are not lengths on the ground (scale {2}); the run is computed in the UTM zone "
-                   "instead",
-                   {dtm.crs_label, scale_of(scale)}));
+        log.warn(worded("DTM: scale {2} in {1}: computed in the UTM zone", {dtm.crs_label, scale_of(scale)}));
     }
     const Point degrees = reading.session.read(gis::to_longitude_latitude, dtm.crs_wkt, centre);
     return reading.session.read(gis::utm_crs_for, degrees.x, degrees.y);
@@ -119,8 +116,8 @@ Sentence place_of(const GridSpec& looked_at, const GridSpec& grid, const Spot& s
                                                 cell(grid.north - centre.y), cell(centre.x - grid.west)});
 }
 
-const char* const k_remedy = worded(
-    "If it is nodata, set terrain.nodata-value; if the unit differs, set terrain.vertical-unit or convert the file");
+constexpr const char* k_remedy =
+    "If it is nodata, set terrain.nodata-value; if the unit differs, set terrain.vertical-unit or convert the file";
 
 /// Checks the terrain of a run, or a part or samples of it; places are given in cells of `grid`. Throws Error(input)
 /// for elevations impossible in any unit; warns of elevations above or below any ground, of slopes that indicate a
@@ -139,25 +136,17 @@ void check_terrain(const SceneReading& reading, const Raster& terrain, const Gri
                     grouped(k_lowest_ground) + " to " + grouped(k_impossible_elevation) + " m", k_remedy});
     }
     if (found.highest.value > k_highest_ground)
-        log.warn(worded("DTM: the highest elevation is {1} m at {2}, higher than any mountain. {3}",
-                        {numeral(number_text(found.highest.value, 6)), place(grid, found.highest), k_remedy}));
+        log.warn(worded("DTM: {1} m at {2}, above any mountain: check its unit",
+                        {numeral(number_text(found.highest.value, 6)), place(grid, found.highest)}));
     if (found.median_slope_deg > k_steepest_median)
-        log.warn(worded(
-            "DTM: half of the ground is steeper than {1} degrees: elevations and eastings may be in different units. "
-            "Check terrain.vertical-unit and the coordinate reference system",
-            {numeral(number_text(found.median_slope_deg, 3))}));
+        log.warn(worded("DTM: median slope {1}°: check terrain.vertical-unit and its CRS",
+                        {numeral(number_text(found.median_slope_deg, 3))}));
     if (found.needles == 0) return;
     std::vector<Sentence> list;
     for (const Spot& spot : found.first_needles)
         list.push_back(worded("{1} m at {2}", {numeral(number_text(spot.value, 4)), place(grid, spot)}));
     if (found.needles > static_cast<std::int64_t>(list.size())) list.emplace_back(std::string("..."));
-    log.warn(worded(found.needles == 1
-                        ? worded("DTM: {1} single cell stands more than {2} m above or below all eight "
-                                 "neighbours; they deflect the flow and falsify its speed: {3}. Repair the "
-                                 "DTM there (a mast, a bird, noise, undeclared nodata)")
-                        : worded("DTM: {1} single cells stand more than {2} m above or below all eight "
-                                 "neighbours; they deflect the flow and falsify its speed: {3}. Repair the "
-                                 "DTM there (a mast, a bird, noise, undeclared nodata)"),
+    log.warn(worded("DTM: {1} single cells {2} m off all neighbours, repair them: {3}",
                     {numeral(grouped(found.needles)), numeral(number_text(needle)), listed(list)}));
 }
 
@@ -344,10 +333,8 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
                                                 spec.vertical_unit, spec.nodata_value, reading.where("terrain.dtm"));
     log.warn_of(worded("DTM"), read.warnings);
     if (read.zero_rim_cells > 0) {
-        log.warn(worded(
-            "DTM: {1} cells are 0 and stand like walls against their neighbours; they were read as elevations. If they "
-            "are nodata, set terrain.nodata-value = 0",
-            {numeral(grouped(read.zero_rim_cells))}));
+        log.warn(worded("DTM: {1} cells of 0 stand out: set terrain.nodata-value = 0",
+                        {numeral(grouped(read.zero_rim_cells))}));
     }
     input.used = used_raster(worded("DTM"), input.file, read);
     input.terrain = std::move(read.raster);
@@ -383,9 +370,8 @@ void report(const TerrainInput& input, const SceneReading& reading, RunLog& log)
     if (input.nodata_cells > 0) {
         const std::string cells = grouped(input.nodata_cells);
         if (input.filled_cells > 0)
-            log.warn(worded(
-                "{1} cells of the working grid have no elevation; {2} of them were interpolated (nodata-policy = fill)",
-                {numeral(cells), numeral(grouped(input.filled_cells))}));
+            log.warn(worded("{1} cells without elevation, {2} interpolated (terrain.nodata-policy = fill)",
+                            {numeral(cells), numeral(grouped(input.filled_cells))}));
         else
             log.note(cells + " cells of the working grid have no elevation; nodata-policy = " +
                      word_of(reading.scene.numerics.nodata, k_nodata_policies));

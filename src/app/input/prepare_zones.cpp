@@ -128,8 +128,7 @@ void report_cover(const std::vector<int>& times, const GridSpec& grid, RunLog& l
         log.warn(
             worded("zones overlap on {1}: the later feature of the layer applies there", {fraction_of(twice, grid)}));
     if (const std::int64_t gaps = enclosed_gaps(times, grid); gaps > 0)
-        log.warn(worded("there are gaps between the zones on {1}: the material's own values apply there",
-                        {fraction_of(gaps, grid)}));
+        log.warn(worded("gaps between the zones on {1}: the material's own values apply", {fraction_of(gaps, grid)}));
     if (never > 0) log.note("outside all zones, with the material's own values: " + fraction_of(never, grid).text());
 }
 
@@ -182,11 +181,11 @@ void read_polygon_zones(const SceneReading& reading, const TerrainInput* ground,
     const gis::PolygonLayer layer =
         reading.session.read(gis::read_polygons, file, target_crs(reading, ground), reading.where(key), {});
     log.note("zones " + file + ": " + std::to_string(layer.features.size()) + " features in " + layer.crs_label);
-    log.warn_of(worded("zones"), layer.warnings);
+    log.warn_of(worded("Zones"), layer.warnings);
     files.push_back(used_polygons(worded("Zones"), file, layer));
     name_columns(reading, layer, list, log, problems);
     if (ground == nullptr) return;
-    report_transform(worded("zones"), layer.transform, ground->terrain.grid.cell_size, log);
+    report_transform(worded("Zones"), layer.transform, ground->terrain.grid.cell_size, log);
     if (!is_on_ground(reading, key, layer.bounds, *ground, reading.scene.zones.beyond_dtm == "clip", problems)) return;
     const GridSpec& grid = ground->terrain.grid;
     if (ground->on_demand) {
@@ -220,7 +219,7 @@ Raster friction_raster_on_demand(const SceneReading& reading, const TerrainInput
 }  // namespace
 
 std::optional<Raster> read_zone_raster(const SceneReading& reading, const TerrainInput* ground, const std::string& key,
-                                       const std::string& file, const char* elsewhere, std::vector<UsedFile>& files,
+                                       const std::string& file, bool tell_gaps, std::vector<UsedFile>& files,
                                        RunLog& log, Problems& problems) {
     const Place where = reading.where(key);
     const gis::RasterInfo info = reading.session.read(gis::inspect_raster, file, where);
@@ -251,8 +250,9 @@ std::optional<Raster> read_zone_raster(const SceneReading& reading, const Terrai
         return std::nullopt;
     for (const double value : {least, greatest})
         if (const auto warning = implausible(key, value)) log.warn(*warning);
-    if (read.nodata_cells > 0 && elsewhere != nullptr)
-        log.warn(worded("{1} has no value on {2}: {3}", {key, fraction_of(read.nodata_cells, grid), elsewhere}));
+    if (read.nodata_cells > 0 && tell_gaps)
+        log.warn(
+            worded("{1}: no value on {2}, the material's own applies", {key, fraction_of(read.nodata_cells, grid)}));
     return std::move(read.raster);
 }
 
@@ -287,7 +287,7 @@ Sentence class_text(const std::vector<double>& limits, std::size_t at, const std
 Sentence friction_text(const FrictionChoice& choice) {
     const FrictionTable& table = choice.table;
     return worded(
-        "{1}, return period {2} years, volume {3} m³ (class of volume: {4}). Source: {5}; {6}.",
+        "{1}, {2} years, {3} m³ (class {4}); source {5}; {6}",
         {table.called.c_str(), numeral(shortest_text(table.periods[choice.period])), numeral(grouped(choice.volume)),
          class_text(table.volumes, choice.volume_class(), "m³"), table.named_source,
          table.is_source_read() ? worded("read at {1}", {table.read_at}) : Sentence(worded("not read"))});
@@ -308,9 +308,8 @@ MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* gro
                 zones.*quantity.target = friction_raster_on_demand(reading, *ground, quantity, released, files, log);
                 return;
             }
-            std::optional<Raster> raster =
-                read_zone_raster(reading, ground, quantity.key->name, quantity.source->name,
-                                 worded("the material's own value applies there"), files, log, problems);
+            std::optional<Raster> raster = read_zone_raster(reading, ground, quantity.key->name, quantity.source->name,
+                                                            true, files, log, problems);
             if (!raster) return;
             for (double& value : raster->values) value = quantity.key->stored(value);
             zones.*quantity.target = std::move(raster);

@@ -31,10 +31,10 @@ Sentence class_text(const std::vector<double>& limits, std::size_t at, const std
 Sentence friction_text(const FrictionChoice& choice);
 
 /// Returns a raster of values of `key` on the working grid, checked against the key's limits; none, with a problem
-/// added or without terrain, if it cannot be read. `elsewhere` describes the value where it has none; null: not
-/// reported.
+/// added or without terrain, if it cannot be read.
+/// @param tell_gaps warns of cells without a value
 std::optional<Raster> read_zone_raster(const SceneReading& reading, const TerrainInput* ground, const std::string& key,
-                                       const std::string& file, const char* elsewhere, std::vector<UsedFile>& files,
+                                       const std::string& file, bool tell_gaps, std::vector<UsedFile>& files,
                                        RunLog& log, Problems& problems);
 
 /// Adds problems for zones of quantities that the scene's laws do not read.

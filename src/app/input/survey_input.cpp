@@ -85,7 +85,7 @@ void add_surveyed(const std::string& file, const std::string& crs_wkt, const Pla
     const auto areas = marks.polygons + std::count_if(marks.lines.begin(), marks.lines.end(), closed);
     if (areas > 0) {
         const gis::PolygonLayer layer = gis::read_polygons(file, crs_wkt, where);
-        log.warn_of(worded("observed outline"), layer.warnings);
+        log.warn_of(worded("Observed outline"), layer.warnings);
         const MultiPolygon parts = parts_of(layer.features);
         survey.scar.insert(survey.scar.end(), parts.begin(), parts.end());
         survey.scar_label = file;
@@ -108,7 +108,7 @@ UsedFile add_deposit(const std::string& file, const GridSpec& grid, const Place&
     gis::RasterRead read = gis::read_raster_on(file, grid, "", gis::Resampling::automatic);
     log.warn_of(worded("deposit"), read.warnings);
     log.note("elevation change resampled to the grid: " + read.resampling_used);
-    UsedFile used = used_raster(worded("Surveyed elevation change"), *info, read);
+    UsedFile used = used_raster(worded("Surveyed deposit"), *info, read);
     survey.elevation_change = std::move(read.raster);
     return used;
 }
@@ -144,7 +144,7 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std:
     if (const auto& picture = output.map_background) {
         attempt(problems, [&] {
             files.push_back(
-                used_picture(worded("Map background"), *picture,
+                used_picture(worded("Base map"), *picture,
                              gis::check_picture(*picture, grid.crs_wkt, reading.where("output.map-background"))));
         });
     }

@@ -29,27 +29,18 @@ void report_transform(const Sentence& input, const gis::TransformInfo& transform
     if (in_place(transform)) return;
     log.note(input.text() + " transformed by: " + transform_text(transform) + ", accuracy " + accuracy_text(transform));
     if (transform.accuracy_m < 0) {
-        log.warn(worded(
-            "{1}: the accuracy of its transformation is unknown ({2}); its position may be wrong by metres to hundreds "
-            "of metres",
-            {input, transform.operation}));
+        log.warn(
+            worded("{1}: transformation accuracy unknown ({2}): position may be wrong", {input, transform.operation}));
     } else if (transform.accuracy_m > cell_size / 2) {
-        log.warn(worded("{1}: its position is accurate to {2} m only; half a cell is {3} m ({4})",
+        log.warn(worded("{1}: position ± {2} m, half a cell is {3} m ({4})",
                         {input, numeral(number_text(transform.accuracy_m, 3)), numeral(number_text(cell_size / 2, 3)),
                          transform.operation}));
     }
     if (!transform.needs_missing_grid) return;
-    const Sentence better =
-        transform.missing_accuracy_m >= 0
-            ? worded("a more accurate transformation ({1} m)", {numeral(number_text(transform.missing_accuracy_m, 3))})
-            : worded("a more accurate transformation");
-    if (transform.missing_grid.empty())
-        log.warn(worded("{1}: {2} needs a grid file which is not installed (see Debian's proj-data, or projsync)",
-                        {input, better}));
-    else
-        log.warn(
-            worded("{1}: {2} needs the grid file {3}, which is not installed (see Debian's proj-data, or projsync)",
-                   {input, better, transform.missing_grid}));
+    const auto known = [](bool is_known, const std::string& text) { return is_known ? text : std::string("?"); };
+    log.warn(worded("{1}: grid file {2} not installed ({3} m possible): see proj-data, projsync",
+                    {input, known(!transform.missing_grid.empty(), transform.missing_grid),
+                     numeral(known(transform.missing_accuracy_m >= 0, number_text(transform.missing_accuracy_m, 3)))}));
 }
 
 namespace {
@@ -66,24 +57,21 @@ UsedFile positioned(const std::string& role, const std::string& path, const std:
     return file;
 }
 
-std::string counted(std::size_t count, const char* one, const char* several) {
-    return count == 0 ? "" : Words()(count == 1 ? one : several, {std::to_string(count)});
+std::string counted(std::size_t count, const char* what) {
+    return count == 0 ? "" : Words()(what, {std::to_string(count)});
 }
 
 std::string counted_lines(std::size_t count) {
-    return counted(count, worded("{1} line"), worded("{1} lines"));
+    return counted(count, worded("lines: {1}"));
 }
 
 }  // namespace
 
 UsedFile used_raster(const std::string& role, const gis::RasterInfo& from, const gis::RasterRead& read) {
     UsedFile file = positioned(role, from.path, from.crs_wkt, from.crs_label, from.bounds, read.transform);
-    const Words english;
-    file.content = english(worded("{1} x {2} of"), {grouped(from.columns), grouped(from.rows)}) + "\n" +
-                   english(file.degrees ? worded("{1} x {2} degrees") : worded("{1} x {2}"),
-                           {number_text(from.cell_x, 6), number_text(from.cell_y, 6)}) +
-                   "\n" + english(worded("{1} in {2}"), {from.data_type, from.vertical_unit}) +
-                   (from.vertical_unit_stated ? "" : " (" + std::string(worded("assumed")) + ")") +
+    file.content = grouped(from.columns) + " x " + grouped(from.rows) + "\n" + number_text(from.cell_x, 6) + " x " +
+                   number_text(from.cell_y, 6) + (file.degrees ? "°\n" : "\n") + from.data_type + ", " +
+                   from.vertical_unit + (from.vertical_unit_stated ? "" : " (" + std::string(worded("assumed")) + ")") +
                    (from.rotated ? "\n" + std::string(worded("rotated")) : "");
     file.nodata = grouped(read.nodata_cells) + "\n" + (from.has_nodata ? number_text(from.nodata, 9) : "none declared");
     file.resampling = read.resampling_used;
@@ -100,8 +88,7 @@ UsedFile used_polygons(const std::string& role, const std::string& path, const g
     file.layer = layer.layer_name;
     double area_m2 = 0;
     for (const PolygonFeature& feature : layer.features) area_m2 += area(feature.parts);
-    file.content =
-        counted(layer.features.size(), worded("{1} polygon"), worded("{1} polygons")) + "\n" + grouped(area_m2) + " m2";
+    file.content = counted(layer.features.size(), worded("polygons: {1}")) + "\n" + grouped(area_m2) + " m2";
     file.checksum.add(layer.features);
     return file;
 }
@@ -116,7 +103,7 @@ UsedFile used_lines(const std::string& role, const std::string& path, const gis:
 UsedFile used_marks(const std::string& role, const std::string& path, const gis::Marks& marks) {
     UsedFile file = positioned(role, path, marks.crs_wkt, marks.crs_label, marks.own_bounds, marks.transform);
     const std::string lines = counted_lines(marks.lines.size()),
-                      points = counted(marks.points.size(), worded("{1} point"), worded("{1} points"));
+                      points = counted(marks.points.size(), worded("points: {1}"));
     file.content = lines + (lines.empty() || points.empty() ? "" : "\n") + points;
     file.checksum.add_all(marks.lines, marks.points);
     return file;
@@ -126,8 +113,7 @@ UsedFile used_hydrograph(const std::string& path, const std::vector<HydrographPo
     UsedFile file;
     file.role = worded("Hydrograph");
     file.path = path;
-    file.content = Words()(worded("from {1}"), {shortest_text(points.front().time)}) + "\n" +
-                   Words()(worded("to {1} s"), {shortest_text(points.back().time)});
+    file.content = shortest_text(points.front().time) + " – " + shortest_text(points.back().time) + " s";
     file.checksum.add(points);
     return file;
 }
@@ -136,7 +122,7 @@ UsedFile used_exposed(const std::string& path, const gis::ExposedLayer& layer) {
     UsedFile file =
         positioned(worded("Exposed features"), path, layer.crs_wkt, layer.crs_label, layer.own_bounds, layer.transform);
     file.layer = layer.layer_name;
-    file.content = counted(layer.features.size(), worded("{1} feature"), worded("{1} features"));
+    file.content = counted(layer.features.size(), worded("features: {1}"));
     for (const gis::ExposedFeature& one : layer.features)
         file.checksum.add_all(one.name, one.count.value_or(-1), one.shape.areas, one.shape.lines, one.shape.points,
                               one.numbers, one.texts);

@@ -33,7 +33,7 @@ int time_decimals(const std::vector<StoredFrame>& frames) {
 std::string time_text(double seconds, int decimals, const Words& words) {
     std::array<char, 40> text{};
     std::snprintf(text.data(), text.size(), "%.*f", decimals, seconds);
-    return words("t = {1} s", {words.number(text.data())});
+    return "t = " + words.number(text.data()) + " s";
 }
 
 std::string lower_case_first(std::string words) {
@@ -60,7 +60,7 @@ std::string pace_words(const AnimationSource& animation, double seconds) {
     const double simulated = animation.frames.back().time - animation.frames.front().time;
     if (!(seconds > 0) || !(simulated > 0)) return {};
     const Words& words = animation.source.style.words;
-    return words("1 s of playback: {1} s", {words.number(number_text(simulated / seconds, 2))});
+    return "1 s : " + words.number(number_text(simulated / seconds, 2)) + " s";
 }
 
 /// Returns a picture of the animation's layer at its size, with its pace: a MapSpec or a ViewSpec.
@@ -134,8 +134,8 @@ AnimationSource animation_source(const ResultReader& result, const MapSource& so
         legend = animation.layer.title + direction;
     }
     animation.layer.source =
-        "frames/" + (particles != nullptr ? std::string("particles_*.gpkg, ") + particles->attribute
-                                          : source.style.words("{1}, band {2}", {quantity + "_*.tif", "1"}));
+        "frames/" +
+        (particles != nullptr ? std::string("particles_*.gpkg, ") + particles->attribute : quantity + "_*.tif");
     return animation;
 }
 

@@ -124,31 +124,30 @@ NamedChart profile_chart(const Columns& table, const std::string& line, const st
     std::vector<double> foot;
     for (const Point p : on_line(bed)) foot.push_back(p.y);
     const Words& words = source.style.words;
-    const std::string metres = words("distance along the line [m]");
-    render::ChartPanel relief{words("Surfaces"), metres, words("elevation [m]"), {}};
+    const std::string metres = words("Distance") + " [m]";
+    render::ChartPanel relief{words("Elevation"), metres, words("Elevation") + " [m]", {}};
     relief.series = {{words("final surface"), k_vermilion, surface(RasterName::final_depth), 2, Stroke::solid, foot},
                      {words("initial surface"), k_green, surface("release_m"), 2, Stroke::dotted},
                      {words("bed plus maximum depth"), k_blue, surface(RasterName::max_depth), 2, Stroke::dashed},
-                     {words("bed"), k_ground, on_line(bed), 2.4}};
+                     {words("Bed"), k_ground, on_line(bed), 2.4}};
     relief.fraction = 1.5;
     // Tables of older results lack the column.
     const bool is_normal =
         table.rows() > 0 && table.has("depth_direction") && table.text(0, "depth_direction") == k_normal;
     if (is_normal)  // it does not give the surface
         relief.series = {relief.series[1], relief.series[3]};
-    render::ChartPanel depths{words(is_normal ? worded("Depths, normal to the bed") : worded("Depths, vertical")),
+    render::ChartPanel depths{words("Flow depth") + ", " + words(is_normal ? k_normal : k_vertical),
                               metres,
-                              words("depth [m]"),
+                              words("Flow depth") + " [m]",
                               {},
                               {0}};
     depths.series = {{words("maximum"), k_blue, on_line(column(RasterName::max_depth)), 2, Stroke::dashed},
-                     {words("released"), k_green, on_line(column("release_m")), 2, Stroke::dotted},
+                     {words("Released"), k_green, on_line(column("release_m")), 2, Stroke::dotted},
                      {words("at the end"), k_vermilion, on_line(column(RasterName::final_depth)), 2}};
-    render::ChartPanel speeds{words("Greatest speed, along the bed"), metres, words("speed [m/s]"), {}, {0}};
+    render::ChartPanel speeds{words("Maximum velocity"), metres, words("Flow velocity") + " [m/s]", {}, {0}};
     speeds.series = {{words("maximum"), k_blue, on_line(column(RasterName::max_velocity)), 2}};
     const std::string own = elided(text_of_cell(line), k_longest_name);
-    const std::string name =
-        own == "flow path" ? words("profile along the flow path") : words("profile along {1}", {own});
+    const std::string name = words.labelled(words("Profiles"), own == "flow path" ? words("Path") : own);
     render::Chart chart = chart_sheet(source, name, "", k_profile_table);
     chart.panels = {relief, depths, speeds};
     return {"profile_" + stem, chart};
@@ -163,36 +162,36 @@ NamedChart series_chart(const Columns& table, const MapSource& source) {
         return render::ChartSeries{label, colour, joined_points(time, values), 2.2, stroke};
     };
     const Words& words = source.style.words;
-    const std::string seconds = words("time [s]");
-    render::Chart chart = chart_sheet(source, words("time series of the flow"), "", k_series_file);
+    const std::string seconds = words("Time") + " [s]";
+    render::Chart chart = chart_sheet(source, words("Course of the flow"), "", k_series_file);
     chart.across = 2;
     chart.panels = {
-        {words("Greatest speed"),
+        {words("Maximum velocity"),
          seconds,
-         words("speed [m/s]"),
-         {curve("max_speed_ms", words("along the bed"), k_vermilion)},
+         words("Flow velocity") + " [m/s]",
+         {curve("max_speed_ms", "", k_vermilion)},
          {0}},
-        {words("Greatest depth"), seconds, words("depth [m]"), {curve("max_depth_m", words("vertical"), k_blue)}, {0}},
-        {words("Front"),
+        {words("Maximum depth"),
          seconds,
-         words("distance [m]"),
-         {curve("front_distance_m", words("farthest particle from the release's centroid"), k_purple)},
+         words("Flow depth") + " [m]",
+         {curve("max_depth_m", words("vertical"), k_blue)},
          {0}},
+        {words("Front distance"), seconds, words("Distance") + " [m]", {curve("front_distance_m", "", k_purple)}, {0}},
         {words("Covered area"),
          seconds,
-         words("area [1000 m\u00B2]"),
-         {curve("covered_area_m2", words("at the time"), k_green, 1e-3)},
+         words("Area") + " [1000 m\u00B2]",
+         {curve("covered_area_m2", "", k_green, 1e-3)},
          {0}},
         {words("Kinetic energy"),
          seconds,
-         words("energy [GJ]"),
-         {curve("kinetic_energy_j", words("in map view"), k_vermilion, 1e-9)},
+         words("Kinetic energy") + " [GJ]",
+         {curve("kinetic_energy_j", "", k_vermilion, 1e-9)},
          {0}},
         {words("Volume"),
          seconds,
-         words("volume [1000 m\u00B3]"),
-         {curve("volume_m3", words("inside"), k_blue, 1e-3),
-          curve("volume_left_m3", words("left the domain"), k_vermilion, 1e-3, Stroke::dashed)},
+         words("Volume") + " [1000 m\u00B3]",
+         {curve("volume_m3", words("Inside the domain"), k_blue, 1e-3),
+          curve("volume_left_m3", words("Left the domain"), k_vermilion, 1e-3, Stroke::dashed)},
          {0}}};
     return {"timeseries", chart};
 }
@@ -204,21 +203,20 @@ NamedChart scores_chart(const Columns& table, const ResultReader& result, const 
                                    stroke};
     };
     const Words& words = source.style.words;
-    const std::string metres = words("depth threshold [m]");
-    render::ChartPanel scores{words("Scores"), metres, words("score [-]"), {}, {0}};
+    const std::string metres = words("Depth threshold") + " [m]";
+    render::ChartPanel scores{words("Scores"), metres, words("Scores"), {}, {0}};
     scores.series = {curve("jaccard", "Jaccard", 0, Stroke::solid), curve("dice", "Dice", 1, Stroke::dash_dot),
-                     curve("true_positive_rate", words("true positive rate"), 2, Stroke::dashed),
-                     curve("false_positive_rate", words("false positive rate"), 3, Stroke::dotted)};
-    render::ChartPanel areas{words("Area difference"), metres, words("difference [%]"), {}, {0}};
-    areas.series = {
-        curve("area_difference_percent", words("|simulated \u2212 observed| / observed"), 0, Stroke::solid)};
+                     curve("true_positive_rate", words("True positive rate"), 2, Stroke::dashed),
+                     curve("false_positive_rate", words("False positive rate"), 3, Stroke::dotted)};
+    render::ChartPanel areas{words("Area difference"), metres, words("Area difference") + " [%]", {}, {0}};
+    areas.series = {curve("area_difference_percent", "", 0, Stroke::solid)};
     for (render::ChartPanel* panel : {&scores, &areas}) {
         panel->x = render::Scale::logarithmic;
         panel->mark_x = result.scene_number("observed.threshold", result.scene_number("output.trace-threshold", 0.1));
     }
     scores.fraction = 1.6;
-    render::Chart chart = chart_sheet(source, words("Scores over the depth threshold"),
-                                      words("dashed: the threshold of the comparison"), k_comparison_curve);
+    render::Chart chart =
+        chart_sheet(source, words("Scores"), words("dashed: the threshold of the comparison"), k_comparison_curve);
     chart.panels = {scores, areas};
     return {"scores", chart};
 }
@@ -232,14 +230,14 @@ NamedChart places_chart(const Columns& table, const std::string& place, const Ma
     std::string note;
     std::vector<std::string> kinds = kinds_of(table, place);
     if (kinds.size() > k_most_curves) {
-        note = words("the first {1} of {2}; all are in {3}",
-                     {std::to_string(k_most_curves), std::to_string(kinds.size()), file + ".csv"});
+        note =
+            words("{1} of {2}; all: {3}", {std::to_string(k_most_curves), std::to_string(kinds.size()), file + ".csv"});
         kinds.resize(k_most_curves);
     }
     render::Chart chart = chart_sheet(source, title, note, file + ".csv");
-    for (const auto& [column, name, label] : quantities) {
+    for (const auto& [column, name, unit] : quantities) {
         const std::vector<double> values = table.numbers(column);
-        render::ChartPanel panel{words(name), words("time [s]"), words(label), {}, {0}};
+        render::ChartPanel panel{words(name), words("Time") + " [s]", words(name) + " [" + unit + "]", {}, {0}};
         for (const std::string& kind : kinds) {
             render::ChartSeries curve{elided(text_of_cell(kind), k_longest_name), k_blue, {}};
             render::look_apart(curve, panel.series.size());
@@ -289,14 +287,14 @@ std::vector<NamedChart> result_charts(const ResultReader& result, const MapSourc
     });
     table(k_series_file, [&](const Columns& columns) { charts.push_back(series_chart(columns, source)); });
     table(k_gauge_table, [&](const Columns& columns) {
-        charts.push_back(places_chart(columns, "gauge", source, source.style.words("gauges"), "gauges",
-                                      {{"depth_m", worded("Depth, vertical"), worded("depth [m]")},
-                                       {"speed_ms", worded("Speed, along the bed"), worded("speed [m/s]")}}));
+        charts.push_back(
+            places_chart(columns, "gauge", source, source.style.words("Gauges"), "gauges",
+                         {{"depth_m", worded("Flow depth"), "m"}, {"speed_ms", worded("Flow velocity"), "m/s"}}));
     });
     table(k_section_table, [&](const Columns& columns) {
-        charts.push_back(places_chart(columns, "section", source, source.style.words("cross-sections"), "sections",
-                                      {{"discharge_m3s", worded("Discharge"), worded("discharge [m\u00B3/s]")},
-                                       {"volume_m3", worded("Cumulative volume"), worded("volume [m\u00B3]")}}));
+        charts.push_back(
+            places_chart(columns, "section", source, source.style.words("Cross-sections"), "sections",
+                         {{"discharge_m3s", worded("Discharge"), "m³/s"}, {"volume_m3", worded("Volume"), "m³"}}));
     });
     table(k_comparison_curve, [&](const Columns& columns) { charts.push_back(scores_chart(columns, result, source)); });
     return charts;

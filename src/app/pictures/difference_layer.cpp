@@ -39,7 +39,7 @@ ForeignMap read_foreign_map(const std::string& file, const std::optional<std::st
     if (above) {
         for (double& value : map.layer.values.values)
             if (!(value > *above)) value = k_no_data;
-        map.layer.notes.push_back(words("Only above {1}", {words.number(number_text(*above)) + " " + map.layer.unit}));
+        map.layer.notes.push_back("> " + words.number(number_text(*above)) + " " + map.layer.unit);
     }
     const GridSpec& grid = map.layer.values.grid;
     MapSource& source = map.source;
@@ -223,18 +223,18 @@ DifferenceMap difference_map(const ResultReader& first, const ResultReader& seco
     layer.palette = "difference";
     layer.classes = symmetric(a.classes, layer.values);
     layer.time = a.time;
-    layer.source = words("{1}, minus the same of B", {a.source});
+    layer.source = a.source + ", A − B";
     layer.notes_alone = true;
     const auto [name_of_a, name_of_b] = names_of(map.source, first, other, second);
-    layer.notes = {words.labelled("A", name_of_a), words.labelled("B", name_of_b), words("A minus B"),
-                   both ? words("where both came") : words("0 where one did not come")};
+    layer.notes = {words.labelled("A", name_of_a), words.labelled("B", name_of_b), "A − B",
+                   both ? words("cells that both reach") : words("0 where not reached")};
     add_second(map.source, other, all);
     map.source.scenario =
         sentences(words.labelled("A", scenario_line(map.source)), words.labelled("B", scenario_line(other)));
     map.source.warnings.clear();
     constexpr Rgb k_release_of_second{120, 60, 0};
     if (!other.release.empty() && !same_outline(other.release, map.source.release))
-        map.source.marks.push_back({words("Release of B"), other.release, k_release_of_second, 2, true});
+        map.source.marks.push_back({words("Release") + " B", other.release, k_release_of_second, 2, true});
     return map;
 }
 

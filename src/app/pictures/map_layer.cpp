@@ -58,10 +58,17 @@ std::string thresholds(const std::string& english, const Words& words) {
 }  // namespace
 
 std::string raster_title(const ResultRaster& row, const std::string& name, const Words& words) {
-    if (!row.by_value) return words(row.title);
-    const std::string place = "{1}";
-    const std::string pattern = text_for(row, row.title, row.name + "_" + place);
-    return words(pattern, {words.number(text_for(row, "{}", name))});
+    const std::string next = ", ", value = row.by_value ? text_for(row, "{}", name) : "";
+    std::string pattern = row.by_value ? text_for(row, row.title, row.name + "_{1}") : row.title, title;
+    for (std::size_t end = 0; end != pattern.npos; pattern.erase(0, end + next.size())) {
+        end = pattern.find(next);
+        const std::string part = pattern.substr(0, end);
+        title +=
+            (title.empty() ? "" : next) + (part.find(" > ") == part.npos ? words(part, {words.number(value)})
+                                                                         : thresholds(Words()(part, {value}), words));
+        if (end == pattern.npos) break;
+    }
+    return title;
 }
 
 std::string class_label(const std::string& english, const Words& words) {
@@ -147,21 +154,18 @@ bool shows_zones(const Metadata& metadata) {
 /// What the classes of a scheme mean, and the source of their limits.
 std::vector<std::string> scheme_notes(const std::string& kind, const Metadata& metadata, const Words& words) {
     const bool is_degree = kind == k_degree_map;
-    std::vector<std::string> notes{is_degree               ? words("Degree of hazard from intensity and return period")
-                                   : shows_zones(metadata) ? words("Zones of one scenario, not a hazard zone plan")
-                                                           : words("Intensity of one scenario, not a hazard level")};
+    std::vector<std::string> notes{is_degree ? words("Degree of hazard from intensity and return period")
+                                             : words("Intensity of one scenario, without its frequency")};
     if (const auto source = metadata.find("HAZARD_SOURCE"); source != metadata.end())
-        notes.push_back(words.labelled(is_degree ? words("Matrix") : words("Thresholds"), words(source->second)));
+        notes.push_back(words.labelled(words("Source"), words(source->second)));
     return notes;
 }
 
 /// Names the scheme in the titles, and its meaning, limits and source on the map.
 void add_scheme(const std::string& kind, const Metadata& metadata, const Words& words, MapLayer& layer) {
     if (shows_zones(metadata) && kind == "hazard") layer.title = words(metadata.at("HAZARD_TITLE"));
-    if (const std::string title = scheme_title(metadata, words); !title.empty())
-        layer.title = words("{1}, scheme {2}", {layer.title, title});
+    if (const std::string title = scheme_title(metadata, words); !title.empty()) layer.title += ", " + title;
     std::vector<std::string> notes = scheme_notes(kind, metadata, words), limits;
-    if (kind == k_degree_map) limits = {words("Return periods in years (a)"), words("Limits of intensity")};
     for (int i = 1;; ++i) {
         const auto limit = metadata.find(k_limit_item + std::to_string(i));
         if (limit == metadata.end()) break;
@@ -217,13 +221,11 @@ std::vector<std::string> needed_notes(const std::string& path, const Words& word
 }
 
 std::vector<std::string> study_friction_notes(const std::string& of, const std::string& varied, const Words& words) {
-    std::vector<std::string> notes{
-        of == k_largest_friction
-            ? words("Friction of the source with the largest area; that of each other one follows from its own volume")
-            : words("Friction of the study's central scene: medians and likeliest choices")};
+    std::vector<std::string> notes{of == k_largest_friction ? words("Friction of the source with the largest area")
+                                                            : words("Friction of the study's central scene")};
     std::vector<std::string> titles;
     for (const std::string& key : words_of(varied)) titles.push_back(title_in(key, words));
-    if (!titles.empty()) notes.push_back(words("Between the runs it varies with: {1}", {joined(titles, ", ")}));
+    if (!titles.empty()) notes.push_back(words.labelled(words("Varied"), joined(titles, ", ")));
     return notes;
 }
 
@@ -239,7 +241,7 @@ MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const
     const std::filesystem::path file(path);
     layer.name = file.stem().string();
     layer.unit = text.unit;
-    layer.source = words("{1}, band {2}", {file.filename().string(), "1"});
+    layer.source = file.filename().string();
     if (const auto time = text.metadata.find("TIME_S"); time != text.metadata.end())
         layer.time = number_from_text(time->second);
     // A frame's name is that of its raster and its number: depth_0012.

@@ -16,7 +16,7 @@ namespace frana::app {
 /// A note on maps of maxima where flow leaves the ground.
 inline constexpr const char* k_high_flights = worded("What flies higher above the ground than a house is not shown");
 
-/// Returns the title of a raster of this row: "Probability of more than 0.5 m" for probability_depth_0.5.
+/// Returns the title of a raster of this row: "Probability, depth > 0.5 m" for probability_depth_0.5.
 std::string raster_title(const ResultRaster& row, const std::string& name, const Words& words);
 
 /// Puts the label of a class, as files contain it in English, into a language: "High intensity: depth > 1 m and speed >

@@ -31,10 +31,8 @@ std::optional<Sentence> letter_warning() {
     constexpr std::size_t k_named = 10;
     std::string named;
     for (std::size_t i = 0; i < letters.size() && i < k_named; ++i) named += (i > 0 ? " " : "") + letters[i];
-    const Sentence all = letters.size() > k_named
-                             ? worded("{1} and {2} more", {named, std::to_string(letters.size() - k_named)})
-                             : Sentence(named);
-    return worded("no installed font has the letters {1}: install fonts-noto-core or fonts-noto-cjk", {all});
+    if (letters.size() > k_named) named += " … " + std::to_string(letters.size() - k_named);
+    return worded("no installed font has the letters {1}: install fonts-noto-core or fonts-noto-cjk", {named});
 }
 
 namespace {
@@ -88,7 +86,7 @@ render::TitleBlock title_block(const MapStyle& style) {
 }
 
 std::string time_words(double seconds, const Words& words) {
-    return words("t = {1} s", {words.number(number_text(seconds, 6))});
+    return "t = " + words.number(number_text(seconds, 6)) + " s";
 }
 
 /// Map and view have the same legend and texts.
@@ -231,8 +229,7 @@ std::string page_title(const MapSource& source, const std::string& shown) {
 }
 
 std::string map_sources(const MapSource& source) {
-    const std::string own = source.style.words(source.foreign ? worded("Drawn with {1}") : worded("Simulated with {1}"),
-                                               {std::string(k_program) + " " + k_version});
+    const std::string own = std::string(k_program) + " " + k_version;
     const Words& words = source.style.words;
     std::vector<std::string> parts;
     if (!source.terrain_source.empty())
@@ -252,32 +249,33 @@ std::string page_attribution(const MapSource& source) {
 }
 
 std::string map_subtitle(const MapFacts& facts, const Words& words) {
-    const std::string model = facts.model.empty()           ? words("Model unknown")
+    const std::string model = facts.model.empty()           ? std::string("?")
                               : facts.model == "structured" ? words("Structured model")
-                                                            : voellmy_bingham_words(facts.scheme, words);
-    return words("{1}, {2} s simulated", {model, words.number(number_text(facts.simulated_seconds, 3))});
+                                                            : voellmy_bingham_words(facts.scheme);
+    return model + ", t = " + words.number(number_text(facts.simulated_seconds, 3)) + " s";
 }
 
 std::vector<std::string> map_notes(const MapFacts& facts, const Words& words) {
     const auto whole = [&](double value) { return words.number(grouped(value)); };
-    std::vector<std::string> notes{words("Volume {1} m³", {whole(facts.volume)})};
+    std::vector<std::string> notes{words.labelled(words("Volume"), whole(facts.volume) + " m³")};
     if (const auto& statistics = facts.statistics) {
         const Runout& run_out = statistics->run_out();
         const std::size_t flows = statistics->run_outs.size();
-        notes.insert(
-            notes.end(),
-            {words("Covered {1} m²", {whole(statistics->covered_area_m2)}),
-             words("(deeper than {1} m)", {words.number(number_text(statistics->threshold, 3))}),
-             words("Run-out {1} m", {whole(run_out.horizontal_m)}), words("Drop {1} m", {whole(run_out.drop_m)}),
-             words("Angle of reach {1}°", {words.number(number_text(run_out.reach_angle_deg, 3))})});
+        notes.insert(notes.end(), {words.labelled(words("Covered area"), whole(statistics->covered_area_m2) + " m²"),
+                                   "(> " + words.number(number_text(statistics->threshold, 3)) + " m)",
+                                   words.labelled(words("Run-out"), whole(run_out.horizontal_m) + " m"),
+                                   words.labelled(words("Drop"), whole(run_out.drop_m) + " m"),
+                                   words.labelled(words("Angle of reach"),
+                                                  words.number(number_text(run_out.reach_angle_deg, 3)) + "°")});
         if (flows > 1) notes.push_back(words("(longest of {1} flows)", {std::to_string(flows)}));
     }
     // Warnings on the map itself, since maps are passed on without the log.
     if (facts.statistics && facts.statistics->end && facts.statistics->end->is_cut_short)
         notes.push_back(words("Still moving at the end"));
     if (facts.statistics && facts.statistics->end && facts.statistics->end->is_held)
-        notes.push_back(words("Held by cells without elevation"));
-    if (facts.volume_left > 0) notes.push_back(words("{1} m³ left the map", {whole(facts.volume_left)}));
+        notes.push_back(words("Stopped by no-data"));
+    if (facts.volume_left > 0)
+        notes.push_back(words.labelled(words("Left the domain"), whole(facts.volume_left) + " m³"));
     return notes;
 }
 
@@ -287,8 +285,7 @@ render::MapSpec map_spec(const MapSource& source, const MapLayer& layer) {
     if (layer.is_ground) {
         spec.layer_frames_map = source.extent.grid.columns == 0;
         if (!source.trace.empty())
-            spec.outlines.push_back(
-                {spec.words("Outline of all ground reached"), source.trace, k_trace_colour, 2, false});
+            spec.outlines.push_back({spec.words("Covered area"), source.trace, k_trace_colour, 2, false});
     }
     spec.print = {source.style.size.dots_per_inch, source.style.size.paper, source.style.scale};
     spec.block = title_block(source.style);

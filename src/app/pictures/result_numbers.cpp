@@ -71,13 +71,12 @@ bool Troubles::are_first() const noexcept {
 Sentence headline(const Troubles& t) {
     std::vector<Sentence> parts;
     if (t.cut > 0)
-        parts.push_back(worded("{1} of {2} runs were cut while they still moved (up to {3} % of the volume)",
+        parts.push_back(worded("{1} of {2} runs cut while moving (≤ {3} % of volume)",
                                {count(t.cut), count(t.runs), percent(t.most_moving)}));
     if (t.left > 0)
-        parts.push_back(worded("{1} of {2} runs left the computed ground (up to {3} % of the volume)",
+        parts.push_back(worded("{1} of {2} runs left the domain (≤ {3} % of volume)",
                                {count(t.left), count(t.runs), percent(t.most_left)}));
-    if (t.held > 0)
-        parts.push_back(worded("{1} of {2} runs were held by cells without elevation", {count(t.held), count(t.runs)}));
+    if (t.held > 0) parts.push_back(worded("{1} of {2} runs stopped by no-data", {count(t.held), count(t.runs)}));
     if (t.failed > 0) parts.push_back(worded("{1} of {2} runs failed", {count(t.failed), count(t.runs)}));
     return worded("Extent, run-out and probabilities are lower bounds: {1}", {listed(parts)});
 }
@@ -190,7 +189,7 @@ std::string warning_line(const Warnings& warnings, const Words& words, std::size
     if (const std::string begin = elided(first, longest); begin != first)  // at a space
         first = begin.substr(0, begin.rfind(' ')) + " \u2026";
     if (warnings.size() == 1) return words("Warning:") + " " + first;
-    return words("{1} warnings, the first: {2}", {std::to_string(warnings.size()), first});
+    return words("Warning:") + " 1/" + std::to_string(warnings.size()) + ": " + first;
 }
 
 RunEnd run_end(const RunResult& result) {
@@ -208,13 +207,12 @@ RunEnd run_end(const std::string& reason, double seconds, double fastest, double
 }
 
 Sentence creeping_sentence(const RunEnd& end) {
-    return worded("Run-out and area are final; the deposit creeps at {1} m/s.", {numeral(number_text(end.fastest, 2))});
+    return worded("run-out and area final, deposit creeps at {1} m/s", {numeral(number_text(end.fastest, 2))});
 }
 
 std::string end_sentence(const RunEnd& end, const Words& words) {
-    return words(
-        "The run ended after {1} s: {2}; greatest speed then {3} m/s.",
-        {words.number(number_text(end.seconds, 3)), words(end.reason), words.number(number_text(end.fastest, 2))});
+    return "t = " + words.number(number_text(end.seconds, 3)) + " s: " + words(end.reason) + ", " +
+           words.number(number_text(end.fastest, 2)) + " m/s";
 }
 
 SeriesEnds read_series_ends(const std::string& path) {
@@ -314,9 +312,9 @@ constexpr Named k_voellmy_bingham[] = {
 constexpr Named k_structured[] = {
     {"structured.cohesion", worded("cohesion"), " Pa", nullptr},
     {"structured.internal-friction-angle", worded("internal friction angle"), "\u00B0", nullptr},
-    {"structured.bed-friction-angle", worded("bed friction angle"), "\u00B0", nullptr},
-    {"structured.grain-density", worded("grain density"), " kg/m\u00B3", nullptr},
-    {"structured.solid-fraction", worded("solid fraction"), "", nullptr},
+    {"structured.bed-friction-angle", worded("friction angle at the bed"), "\u00B0", nullptr},
+    {"structured.grain-density", worded("density of the grains"), " kg/m\u00B3", nullptr},
+    {"structured.solid-fraction", worded("fraction of solids"), "", nullptr},
 };
 
 /// In groups of three digits where it has more than three, as the volume before it.
@@ -337,7 +335,7 @@ template <class Table>
 void add_values(const ScenarioFacts& facts, const Table& table, const Words& words, std::vector<std::string>& parts) {
     const auto friction_table = facts.value("material.friction-table");
     if (friction_table)
-        parts.push_back(words("friction table {1}", {std::filesystem::path(*friction_table).stem().string()}));
+        parts.push_back(words("friction table") + " " + std::filesystem::path(*friction_table).stem().string());
     for (const Named& one : table) {
         if (friction_table && gives_by_table(one.key)) continue;
         const bool varies = *one.by_place != '\0' && facts.value(one.by_place);
@@ -359,31 +357,30 @@ void add_values(const ScenarioFacts& facts, const Table& table, const Words& wor
 
 }  // namespace
 
-std::string voellmy_bingham_words(const std::string& scheme, const Words& words) {
-    return scheme.empty() || scheme == word_of(Numerics{}.scheme, k_schemes)
-               ? "Voellmy-Bingham"
-               : words("Voellmy-Bingham, scheme {1}", {scheme});
+std::string voellmy_bingham_words(const std::string& scheme) {
+    return scheme.empty() || scheme == word_of(Numerics{}.scheme, k_schemes) ? "Voellmy-Bingham"
+                                                                             : "Voellmy-Bingham, " + scheme;
 }
 
 std::string scenario_words(const ScenarioFacts& facts, const Words& words) {
     const auto model = facts.value("material.model");
     std::vector<std::string> parts;
     if (!model) {
-        parts.push_back(words("Model unknown"));
+        parts.emplace_back("?");
     } else if (*model == "structured") {
         parts.push_back(words("Structured model"));
         add_values(facts, k_structured, words, parts);
     } else {
-        parts.push_back(voellmy_bingham_words(facts.value("numerics.scheme").value_or(""), words));
+        parts.push_back(voellmy_bingham_words(facts.value("numerics.scheme").value_or("")));
         const std::string laws = facts.value("material.bed-friction").value_or("voellmy");
-        if (laws != "voellmy") parts.push_back(words("bed friction {1}", {laws}));
+        if (laws != "voellmy") parts.push_back(laws);
         add_values(facts, k_voellmy_bingham, words, parts);
     }
     const std::string line =
         words.labelled(what_fails(facts, words), words.number(grouped(facts.volume)) + " m\u00B3; ") +
         joined(parts, ", ");
     if (facts.end) return line + ". " + end_sentence(*facts.end, words);
-    return words("{1}, {2} s simulated", {line, words.number(number_text(facts.simulated_seconds, 3))});
+    return line + ", t = " + words.number(number_text(facts.simulated_seconds, 3)) + " s";
 }
 
 }  // namespace frana::app

@@ -141,18 +141,19 @@ namespace fs = std::filesystem;
 void add_statistics(const std::string& path, const Words& words, std::vector<std::string>& notes) {
     const std::optional<Json> json = read_json_file(path);
     if (!json) throw Error(ErrorKind::input, Problem{"is incomplete", path, "", "", "Compare again: frana compare"});
-    const auto add = [&](const std::string& key, const std::string& text) {
+    const auto add = [&](const std::string& key, const std::string& label, const std::string& unit) {
         if (const auto value = value_in<double>(*json, "/" + key))
-            notes.push_back(words(text, {words.number(number_text(*value, 3))}));
+            notes.push_back(words.labelled(label, words.number(number_text(*value, 3)) + unit));
     };
-    add("threshold_m", worded("Threshold {1} m"));
+    add("threshold_m", words("Depth threshold"), " m");
     const auto simulated = value_in<double>(*json, "/simulated_area_m2"),
                observed = value_in<double>(*json, "/observed_area_m2");
     if (simulated && observed && *observed > 0)
-        notes.push_back(words("Area difference {1} %",
-                              {words.number(signed_number_text(100 * (*simulated - *observed) / *observed))}));
-    add("jaccard", worded("Jaccard {1}"));
-    add("dice", worded("Dice {1}"));
+        notes.push_back(
+            words.labelled(words("Area difference"),
+                           words.number(signed_number_text(100 * (*simulated - *observed) / *observed)) + " %"));
+    add("jaccard", "Jaccard", "");
+    add("dice", "Dice", "");
 }
 
 Error newer(const std::string& file, std::int64_t format, std::int64_t known) {

@@ -50,9 +50,8 @@ void ResultReader::add_study(MapSource& source) const {
         const auto error = value_in<double>(*summary, "/largest_standard_error");
         const bool per_polygon = value_in<std::string>(*summary, "/sampling") == "per-polygon";
         if (finished)
-            source.subtitle = words_(per_polygon ? worded("{1} sources, each failing alone")
-                                                 : worded("{1} runs with values drawn from their distributions"),
-                                     {std::to_string(*finished)});
+            source.subtitle =
+                words_(per_polygon ? worded("sources: {1}") : worded("runs: {1}"), {std::to_string(*finished)});
         // A probability of values that somebody chose, and of a failure that is taken for granted: no hazard by itself.
         if (const std::string keys = varied_keys(*summary, words_); finished && !keys.empty())
             source.scenario =
@@ -69,10 +68,11 @@ void ResultReader::add_study(MapSource& source) const {
             source.notes.push_back(words_("{1} of {2} runs gave warnings",
                                           {std::to_string(troubles->warned), std::to_string(troubles->runs)}));
         if (troubles && troubles->flew > 0) source.notes.push_back(words_(k_high_flights));
-        if (failed && *failed > 0) source.notes.push_back(words_("{1} more runs failed", {std::to_string(*failed)}));
+        if (failed && *failed > 0)
+            source.notes.push_back(words_.labelled(words_("Failed runs"), std::to_string(*failed)));
         if (error)
-            source.notes.push_back(words_("Standard error of the probabilities at most {1} %",
-                                          {words_.number(number_text(100 * *error, 2))}));
+            source.notes.push_back(words_.labelled(words_("Standard error of the probabilities"),
+                                                   "≤ " + words_.number(number_text(100 * *error, 2)) + " %"));
     }
     const std::string& crs = source.extent.grid.crs_wkt;
     const auto first = summary ? value_in<double>(*summary, "/depth_thresholds_m/0") : std::nullopt;
@@ -141,14 +141,13 @@ std::vector<std::vector<std::string>> ResultReader::figures_at(const std::vector
         });
         if (nearest == time.end()) continue;
         const auto row = static_cast<std::size_t>(nearest - time.begin());
-        if (std::isfinite(volume[row]))
-            figures[i].push_back(words_("Volume {1} m³", {words_.number(grouped(volume[row]))}));
-        if (std::isfinite(area[row]))
-            figures[i].push_back(words_("Covers {1} m²", {words_.number(grouped(area[row]))}));
-        if (std::isfinite(front[row]))
-            figures[i].push_back(words_("Front at {1} m", {words_.number(grouped(front[row]))}));
-        if (std::isfinite(speed[row]))
-            figures[i].push_back(words_("Greatest speed {1} m/s", {words_.number(number_text(speed[row], 2))}));
+        const auto add = [&](const std::string& label, double value, const std::string& text) {
+            if (std::isfinite(value)) figures[i].push_back(words_.labelled(label, words_.number(text)));
+        };
+        add(words_("Volume"), volume[row], grouped(volume[row]) + " m³");
+        add(words_("Covered area"), area[row], grouped(area[row]) + " m²");
+        add(words_("Front distance"), front[row], grouped(front[row]) + " m");
+        add(words_("Maximum velocity"), speed[row], number_text(speed[row], 2) + " m/s");
     }
     return figures;
 }

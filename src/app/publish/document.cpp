@@ -73,14 +73,14 @@ Document& Document::first_warnings(const Warnings& all, const Words& words) {
         if (told > 0 && letters > k_warning_letters) break;
         add(Paragraph{{{text}}, words("Warning:"), "warning"});
     }
-    if (all.size() > told) paragraph(words("{1} warnings in all, see below.", {std::to_string(all.size())}));
+    if (all.size() > told) paragraph(words.labelled(words("Warnings"), std::to_string(all.size())));
     return *this;
 }
 
 Document& Document::maps(const std::vector<std::string>& paths, const std::string& folder, const Words& words) {
     for (const std::string& path : paths) {
         const std::string title = map_title(fs::path(path).stem().string(), words);
-        add(Figure{drawn_for_page(folder, path), title, words.labelled(words("Map"), title)});
+        add(Figure{drawn_for_page(folder, path), title, title});
     }
     return *this;
 }
@@ -92,7 +92,7 @@ Document& Document::charts(const std::vector<ChartTitle>& all, const std::string
         if (!fs::exists(path)) continue;
         if (!std::exchange(any, true)) heading("charts", words("Charts"));
         const std::string title = words(chart.title);
-        add(Figure{drawn_for_page(folder, path.string()), title, words.labelled(words("Chart"), title)});
+        add(Figure{drawn_for_page(folder, path.string()), title, title});
     }
     return *this;
 }

@@ -105,18 +105,19 @@ ExposureTotals write_exposure(const gis::ExposedLayer& layer, const std::vector<
 }
 
 std::string exposure_sentence(const ExposureTotals& totals, ReachedBy by, const Words& words) {
-    static const std::map<ReachedBy, std::string> k_sentences{
-        {ReachedBy::the_flow, worded("{1} of {2} exposed features are reached.")},
-        {ReachedBy::any_run, worded("{1} of {2} exposed features are reached by at least one run.")},
-        {ReachedBy::any_slope, worded("{1} of {2} exposed features are reached by at least one slope.")}};
-    const auto whole = [&](std::size_t count) { return words.number(grouped(static_cast<double>(count))); };
-    std::string text = words(k_sentences.at(by), {whole(totals.reached), whole(totals.features)});
-    if (totals.has_count)
-        text += " " + words("By their count: {1} of {2}.", {words.number(number_text(totals.count_reached, 6)),
-                                                            words.number(number_text(totals.count, 6))});
-    if (totals.is_least) text += " " + words("More may be reached: the full reach is not known.");
+    static const std::map<ReachedBy, std::string> k_labels{
+        {ReachedBy::the_flow, worded("Exposed features reached")},
+        {ReachedBy::any_run, worded("Exposed features reached by at least one run")},
+        {ReachedBy::any_slope, worded("Exposed features reached by at least one slope")}};
+    const std::string least = totals.is_least ? "≥ " : "";  // the full reach is not known
+    const auto of = [&](double part, double all) {
+        return words("{1} of {2}", {words.number(grouped(part)), words.number(grouped(all))});
+    };
+    std::string text = words.labelled(
+        words(k_labels.at(by)), least + of(static_cast<double>(totals.reached), static_cast<double>(totals.features)));
+    if (totals.has_count) text += "; " + words.labelled(words("Count"), least + of(totals.count_reached, totals.count));
     if (totals.off_map > 0)
-        text += " " + words("Of {1} of them the map says nothing: see {2}.", {whole(totals.off_map), k_exposure_table});
+        text += "; " + words.labelled(words("off the map"), words.number(grouped(static_cast<double>(totals.off_map))));
     return text;
 }
 

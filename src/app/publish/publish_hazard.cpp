@@ -39,7 +39,7 @@ std::vector<gis::ColourStop> stops_of(const ClassMap& map, const Words& words) {
 }
 
 std::string titled(const ClassMap& map, const Words& words) {
-    const std::string title = words("{1}, scheme {2}", {words(map.title), map.scheme.name});
+    const std::string title = words(map.title) + ", " + map.scheme.name;
     return map.limits.empty() ? title : title + "; " + class_label(map.limits.front(), words);
 }
 

@@ -83,16 +83,21 @@ class ProjectWriter {
             if (row.file == k_outlines_file && result_.has_layer(k_comparison_outline, row.name)) continue;
             const bool visible = row.file == k_outlines_file || row.file == k_comparison_outline ||
                                  row.file == k_gauge_places || row.file == k_exposure_file;
-            group.layers.push_back(
-                {named(words_(row.title)), row.file, row.name, row.shape, style_in(row, words_).qml, visible, {}});
+            group.layers.push_back({named(layer_title(row, words_)),
+                                    row.file,
+                                    row.name,
+                                    row.shape,
+                                    style_in(row, words_).qml,
+                                    visible,
+                                    {}});
         }
         return group;
     }
 
     [[nodiscard]] gis::ProjectGroup maps() const {
         gis::ProjectGroup group{named(words_("Maps")), {}};
-        for (const auto& [file, title] : {std::pair{k_degree_zones_file, worded("Zones of hazard")},
-                                          std::pair{k_hazard_zones_file, worded("Zones of intensity")}})
+        for (const auto& [file, title] : {std::pair{k_degree_zones_file, worded("Degree of hazard")},
+                                          std::pair{k_hazard_zones_file, worded("Intensity")}})
             if (result_.has(file))
                 group.layers.push_back({named(words_(title)),
                                         file,
@@ -111,7 +116,7 @@ class ProjectWriter {
                 if (const auto own = text.metadata.find("HAZARD_TITLE"); own != text.metadata.end() && name == "hazard")
                     title = words_(own->second);
                 const std::string scheme = scheme_title(text.metadata, words_of_scheme(text.metadata, words_));
-                if (!scheme.empty()) title = words_("{1}, scheme {2}", {title, scheme});
+                if (!scheme.empty()) title += ", " + scheme;
             }
             const bool visible = has_shown ? name == k_shown : name == names.front();
             group.layers.push_back(
@@ -201,7 +206,7 @@ class ProjectWriter {
 
     /// Hidden, since all are visible until QGIS's temporal controller runs.
     [[nodiscard]] gis::ProjectGroup frames(const ResultRaster& row) const {
-        gis::ProjectGroup group{named(words_("{1} over time", {words_(row.title)})), {}, false, false};
+        gis::ProjectGroup group{named(words_(row.title) + ", t [s]"), {}, false, false};
         const std::vector<StoredFrame>& all = result_.frames();
         const std::string style = style_beside(frame_style(row.name) + ".tif");
         const std::vector<std::pair<double, double>> times = shown_times();

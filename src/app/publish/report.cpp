@@ -45,8 +45,7 @@ std::string range_text(const ReportInput& input, const ResultRaster& row) {
         if (std::isfinite(value)) greatest = std::max(greatest, value);
     });
     if (!std::isfinite(greatest)) return "";
-    return words("at most {1}", {words.number(number_text(greatest, 3)) +
-                                 (row.unit.empty() || row.unit == "-" ? "" : " " + row.unit)});
+    return "≤ " + words.number(number_text(greatest, 3)) + (row.unit.empty() || row.unit == "-" ? "" : " " + row.unit);
 }
 
 ReportMap described(const ReportInput& input, const std::string& name, const std::string& file) {
@@ -57,14 +56,12 @@ ReportMap described(const ReportInput& input, const std::string& name, const std
     const std::string title = row == nullptr ? layer : words(row->title);
     const std::string range = row == nullptr ? "" : range_text(input, *row);
     ReportMap map{name, file, title, ""};
-    if (is_view) map.caption += ", " + words("in perspective");
+    if (is_view) map.caption += ", 3-D";
     if (!range.empty()) map.caption += ": " + range;
     const MainStatistics& main = input.facts.statistics;
-    const std::vector<std::string> values{map.caption, words.number(grouped(main.covered_area_m2)),
-                                          words.number(number_text(main.threshold)),
-                                          words.number(grouped(main.run_out().horizontal_m))};
-    map.alt = is_view ? words("View. {1}. {2} m² deeper than {3} m, run-out {4} m", values)
-                      : words("Map. {1}. {2} m² deeper than {3} m, run-out {4} m", values);
+    map.alt = map.caption + "; " +
+              words.labelled(words("Covered area"), words.number(grouped(main.covered_area_m2)) + " m²; ") +
+              words.labelled(words("Run-out"), words.number(grouped(main.run_out().horizontal_m)) + " m");
     return map;
 }
 
@@ -120,19 +117,19 @@ Document chart_figures(const render::ChartPanel& panel, const std::string& alt, 
 /// Front, speed and depth over time; depths at the gauges and discharges through the cross-sections.
 Document series_charts(const ReportInput& input) {
     const Words& words = input.words;
-    const std::string seconds = words("time [s]");
+    const std::string seconds = words("Time") + " [s]";
     Document charts;
     const auto add = [&](const std::string& label, double SeriesRow::*value) {
         render::ChartSeries series;
         for (const SeriesRow& row : input.result.series) series.points.push_back({row.time, row.*value});
         const std::string most = greatest_text(series.points, words);
         render::ChartPanel panel{"", seconds, label, {std::move(series)}, {0}};
-        charts.add(chart_figures(panel, words("Curve over time: {1}, at most {2}", {label, most}), words));
+        charts.add(chart_figures(panel, label + " ≤ " + most, words));
     };
-    add(words("front from the release's centroid [m]"), &SeriesRow::front_distance);
-    add(words("Greatest speed [m/s]"), &SeriesRow::max_speed);
-    add(words("greatest depth [m]"), &SeriesRow::max_depth);
-    add(words("covered area [m²]"), &SeriesRow::covered_area);
+    add(words("Front distance") + " [m]", &SeriesRow::front_distance);
+    add(words("Maximum velocity") + " [m/s]", &SeriesRow::max_speed);
+    add(words("Maximum depth") + " [m]", &SeriesRow::max_depth);
+    add(words("Covered area") + " [m²]", &SeriesRow::covered_area);
     const auto named = [](const auto& places) {
         std::vector<render::ChartSeries> series;
         for (const auto& place : places)
@@ -141,9 +138,9 @@ Document series_charts(const ReportInput& input) {
     };
     const auto add_places = [&](const std::string& label, std::vector<render::ChartSeries> series) {
         if (series.empty()) return;
-        std::string alt = words("Curves over time: {1}", {label});
+        std::string alt = label;
         for (const render::ChartSeries& one : series)
-            alt += "; " + one.label + ": " + words("at most {1}", {greatest_text(one.points, words)});
+            alt += "; " + one.label + " ≤ " + greatest_text(one.points, words);
         charts.add(chart_figures({"", seconds, label, std::move(series), {0}}, alt, words));
     };
     const Recording& recording = input.prepared.scene.recording;
@@ -151,8 +148,8 @@ Document series_charts(const ReportInput& input) {
     for (const GaugeRow& row : input.result.gauges) gauges[row.gauge].points.push_back({row.time, row.depth});
     for (const SectionRow& row : input.result.sections)
         sections[row.section].points.push_back({row.time, row.discharge});
-    add_places(words("depth at the gauges [m]"), std::move(gauges));
-    add_places(words("discharge through the cross-sections [m³/s]"), std::move(sections));
+    add_places(words("Gauges") + ", " + words("Flow depth") + " [m]", std::move(gauges));
+    add_places(words("Discharge") + " [m³/s]", std::move(sections));
     return Document().columns(std::move(charts));  // beside each other, where there is room
 }
 
@@ -161,16 +158,15 @@ Document series_charts(const ReportInput& input) {
 Document score_chart(const std::vector<ComparisonStatistics>& curve, const Words& words) {
     render::ChartSeries jaccard, hit, alarm;
     jaccard.label = "Jaccard";
-    hit.label = words("true positive rate");
-    alarm.label = words("false positive rate");
+    hit.label = words("True positive rate");
+    alarm.label = words("False positive rate");
     for (const ComparisonStatistics& f : curve) {
         jaccard.points.push_back({f.threshold_m, f.jaccard});
         hit.points.push_back({f.threshold_m, f.true_positive_rate});
         alarm.points.push_back({f.threshold_m, f.false_positive_rate});
     }
-    const std::string alt = words("Scores over the depth threshold; the greatest Jaccard index is {1}",
-                                  {words.number(number_text(greatest(jaccard.points), 3))});
-    render::ChartPanel panel{"", words("depth threshold [m]"), words("score"), {jaccard, hit, alarm}, {0}};
+    const std::string alt = words("Scores") + "; Jaccard ≤ " + words.number(number_text(greatest(jaccard.points), 3));
+    render::ChartPanel panel{"", words("Depth threshold") + " [m]", words("Scores"), {jaccard, hit, alarm}, {0}};
     panel.x = render::Scale::logarithmic;
     return chart_figures(panel, alt, words);
 }
@@ -206,17 +202,17 @@ namespace {
 
 /// A column of exposure.csv that reports show.
 struct ShownColumn {
-    const char *key, *title;
+    const char *key, *title, *unit;
     int digits;
     double factor = 1;
 };
 
-constexpr ShownColumn k_columns[] = {{"max_depth_m", worded("Greatest depth [m]"), 3},
-                                     {"max_velocity_ms", worded("Greatest speed [m/s]"), 3},
-                                     {"max_pressure_kpa", worded("Greatest pressure [kPa]"), 3},
-                                     {"arrival_s", worded("First arrival [s]"), 3},
-                                     {"probability_reached", worded("Probability that it is reached [%]"), 3, 100},
-                                     {"sources", worded("Slopes that reach it"), 6}};
+constexpr ShownColumn k_columns[] = {{"max_depth_m", worded("Maximum depth"), "m", 3},
+                                     {"max_velocity_ms", worded("Maximum velocity"), "m/s", 3},
+                                     {"max_pressure_kpa", worded("Maximum dynamic pressure"), "kPa", 3},
+                                     {"arrival_s", worded("Arrival time"), "s", 3},
+                                     {"probability_reached", worded("Probability"), "%", 3, 100},
+                                     {"sources", worded("Slopes"), "", 6}};
 
 std::optional<double> value_of(const ReachedFeature& feature, const std::string& key) {
     const auto found = std::find_if(feature.numbers.begin(), feature.numbers.end(),
@@ -229,7 +225,7 @@ std::optional<double> value_of(const ReachedFeature& feature, const std::string&
 
 Document exposure_answer(const std::optional<ExposureTotals>& totals, ReachedBy by, const Words& words) {
     if (!totals) return {};
-    return Document().paragraph(words("Exposure."), exposure_sentence(*totals, by, words));
+    return Document().paragraph("", exposure_sentence(*totals, by, words));
 }
 
 Document exposure_section(const std::optional<ExposureTotals>& totals, const Words& words) {
@@ -237,8 +233,8 @@ Document exposure_section(const std::optional<ExposureTotals>& totals, const Wor
     std::vector<ShownColumn> shown;
     for (const ShownColumn& column : k_columns)
         if (value_of(totals->deepest.front(), column.key)) shown.push_back(column);
-    std::vector<std::string> heads{words("Feature")};
-    for (const ShownColumn& column : shown) heads.push_back(words(column.title));
+    std::vector<std::string> heads{words("Exposed features")};
+    for (const ShownColumn& column : shown) heads.push_back(with_unit(words(column.title), column.unit));
     Table table(heads);
     for (const ReachedFeature& feature : totals->deepest) {
         std::vector<Cell> cells{valid_utf8(feature.name)};
@@ -248,10 +244,10 @@ Document exposure_section(const std::optional<ExposureTotals>& totals, const Wor
         }
         table.row(cells);
     }
-    const std::string all = words("The {1} deepest of {2}; {3} has all.",
-                                  {std::to_string(totals->deepest.size()),
-                                   words.number(grouped(static_cast<double>(totals->reached))), k_exposure_table});
-    return Document().heading("exposure", words("Exposed features that are reached")).add(table).small(all);
+    const std::string all =
+        words("{1} of {2}; all: {3}", {std::to_string(totals->deepest.size()),
+                                       words.number(grouped(static_cast<double>(totals->reached))), k_exposure_table});
+    return Document().heading("exposure", words("Exposed features")).add(table).small(all);
 }
 
 namespace {
@@ -269,10 +265,7 @@ Figure figure_of(const ReportMap& map) {
 
 void add_maps(Document& page, const ReportInput& input, const std::vector<ReportMap>& maps) {
     const Words& words = input.words;
-    page.heading("maps", words("Maps"));
-    if (maps.empty())
-        page.small(input.prepared.spec.output.maps.front() == "off" ? words("The scene asks for no maps.")
-                                                                    : words("No map could be drawn."));
+    if (maps.size() > 1 || !input.hazard.empty()) page.heading("maps", words("Maps"));
     for (std::size_t i = 1; i < maps.size(); ++i) page.add(figure_of(maps[i]));
     if (!input.hazard.empty())
         page.box(hazard_heading(input.prepared.spec, words), hazard_table(input.prepared.spec, input.hazard, words));
@@ -292,14 +285,14 @@ void add_details(Document& page, const ReportInput& input) {
         page.box(words("Friction by place"), friction_table(*friction, input.facts.friction_areas, words));
     page.columns(Document()
                      .box(words("Mass budget"), budget_table(input.result, words))
-                     .box(words("Numerical checks"), numerics_table(input)))
-        .small(terms_note(input));
+                     .box(words("Numerical checks"), numerics_table(input)));
 }
 
 void add_keys(Document& page, const ReportInput& input) {
     const Words& words = input.words;
     page.heading("parameters", words("Keys used"))
-        .small(words("Bold: given. Left at their defaults: {1}.", {joined(left_at_default(input.prepared), ", ")}))
+        .small(words("Bold: given"))
+        .small(words.labelled(words("default"), joined(left_at_default(input.prepared), ", ")))
         .add(parameters_table(input.prepared, true, words))
         .folded(words("All keys"), parameters_table(input.prepared, false, words));
 }
@@ -325,9 +318,8 @@ void write_report(const ReportInput& input, const ResultDirectory& directory) {
     add_keys(page, input);
     write_page(directory.folder(),
                {title,
-                words("Computed with {1}, scene {2}, hash {3}",
-                      {std::string(k_program) + " " + k_version, fs::path(spec.file).filename().string(),
-                       provenance(input.prepared).at("SCENE_HASH")}),
+                std::string(k_program) + " " + k_version + "; " + fs::path(spec.file).filename().string() + "; " +
+                    provenance(input.prepared).at("SCENE_HASH"),
                 words, maps.empty() ? Opening::answer : Opening::answer_with_picture},
                page);
 }

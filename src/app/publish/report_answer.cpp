@@ -151,6 +151,15 @@ std::string laws_told(const ReportInput& input, const Words& words) {
     return joined(told, ", ");
 }
 
+std::vector<std::string> preset_comments(const SceneSpec& spec) {
+    if (!spec.material.preset) return {};
+    // Its values are in the report, whether its file can still be read or not.
+    const auto presets = attempt([] { return material_presets(materials_directory()); });
+    for (const MaterialPreset& preset : presets)
+        if (preset.name == *spec.material.preset) return preset.comments;
+    return {};
+}
+
 /// Returns the preset's source without its label; of a user's own preset as that has it.
 std::string preset_source(const SceneSpec& spec, const Words& words) {
     for (const std::string& text : paragraphs_of(preset_comments(spec))) {
@@ -165,17 +174,8 @@ std::string preset_source(const SceneSpec& spec, const Words& words) {
 
 std::string origin_text(const SceneSpec& spec, const std::string& key, const Words& words) {
     const Origin origin = spec.origin_of(key);
-    if (origin == Origin::preset) return words("preset {1}", {spec.material.preset.value_or("")});
+    if (origin == Origin::preset) return words("preset") + " " + spec.material.preset.value_or("");
     return words(describe(origin));
-}
-
-std::vector<std::string> preset_comments(const SceneSpec& spec) {
-    if (!spec.material.preset) return {};
-    // Its values are in the report, whether its file can still be read or not.
-    const auto presets = attempt([] { return material_presets(materials_directory()); });
-    for (const MaterialPreset& preset : presets)
-        if (preset.name == *spec.material.preset) return preset.comments;
-    return {};
 }
 
 namespace {
@@ -186,7 +186,7 @@ Table scenario_table(const ReportInput& input) {
     const ReportNumbers number(words);
     const SceneSpec& spec = input.prepared.spec;
     const RunResult& r = input.result;
-    Table table({words("Scenario"), words("value"), words("origin")});
+    Table table({words("Scenario"), words("Value"), words("Origin")});
     const auto row = [&](const std::string& name, const std::string& value, const std::string& origin = "") {
         table.row({name, value, origin});
     };
@@ -200,7 +200,7 @@ Table scenario_table(const ReportInput& input) {
             [&](std::size_t, double value) { thickest = std::max(thickest, value); });
         row(words("Release volume") + names_of_areas(r.released), number.grouped(volume) + " m³");
         row(words("Release area"), number.grouped(area) + " m²");
-        row(words("Release thickness, mean and greatest"),
+        row(words("Release thickness") + ", " + words("mean") + "; " + words("maximum"),
             number(area > 0 ? volume / area : 0, 3) + "; " + number(thickest, 3) + " m (" + words(k_vertical) + ")");
     }
     if (r.volume_inflow > 0) row(words("Inflow"), number.grouped(r.volume_inflow) + " m³");
@@ -209,12 +209,11 @@ Table scenario_table(const ReportInput& input) {
         row(words("Deposited on the bed"), number.grouped(r.volume_deposited) + " m³");
     }
     const bool is_structured = spec.material.model == "structured";
-    row(is_structured ? words("Structured model")
-                      : voellmy_bingham_words(word_of(spec.numerics.scheme, k_schemes), words),
+    row(is_structured ? words("Structured model") : voellmy_bingham_words(word_of(spec.numerics.scheme, k_schemes)),
         laws_told(input, words));
     for (const Told& one : values_told(input, words)) row(one.name, one.value, one.origin);
     if (const std::string source = preset_source(spec, words); !source.empty())
-        row(words("Source of the preset {1}", {*spec.material.preset}), source);
+        row(words.labelled(words("Source"), *spec.material.preset), source);
     return table;
 }
 
@@ -237,7 +236,7 @@ std::optional<Point> greatest_place(const Raster& raster) {
 }
 
 Cell cell_error(const ErrorEstimates& errors, const Words& words) {
-    return {errors.of.empty() ? words("no estimate") : words("see ±"), "soft", k_cell_error};
+    return {errors.of.empty() ? words("no estimate") : "±", "soft", k_cell_error};
 }
 
 /// A key: of the estimate, by which it is replaced.
@@ -256,13 +255,13 @@ Table four_answers(const ReportInput& input) {
     const auto place = [&](const std::optional<Point>& p) {
         return p ? words("E {1}, N {2}", {number.grouped(p->x), number.grouped(p->y)}) : std::string();
     };
-    Table table({"", "", words("value"), "", words("± by cell size"), words("where")});
+    Table table({"", "", words("Value"), "", words("± by cell size"), words("Where")});
     const auto row = [&](const std::string& question, const std::string& figure, const std::string& value,
                          const std::string& unit, const Cell& error, const std::string& where) {
         table.row({question, figure, {value, "n"}, {unit, "u"}, error, where});
     };
     const Runout& run_out = f.statistics.run_out();
-    row(words("How far"), words("Run-out, in map view"), number.grouped(run_out.horizontal_m), "m",
+    row(words("How far"), words("Run-out"), number.grouped(run_out.horizontal_m), "m",
         error_cell(input.errors, k_run_out_key, words), run_out.horizontal_m > 0 ? place(run_out.tip) : std::string());
     const auto strength = [&](std::size_t i, const std::string& question, const std::string& title) {
         const PeakStatistic& what = k_peak_statistics[i];
@@ -280,7 +279,7 @@ Table four_answers(const ReportInput& input) {
     row(words("How sure"), has_energy ? words("energy error") : words("volume error"),
         number(100 * (has_energy ? *r.energy_error : std::abs(relative_volume_error(r))), 2), "%",
         cell_error(input.errors, words),
-        words("Cells of {1} m", {number(r.raster(RasterName::max_depth).grid.cell_size)}));
+        words("cells of {1} m", {number(r.raster(RasterName::max_depth).grid.cell_size)}));
     return table;
 }
 
@@ -322,7 +321,7 @@ std::string error_text(const ErrorEstimates& errors, const std::string& key, con
     const auto estimate = errors.find(key);
     if (!estimate) return words("no estimate");
     const double error = estimate->error;
-    if (!std::isfinite(error)) return words("not converged");
+    if (!std::isfinite(error)) return words("not converging");
     const std::string text = "± " + words.number(error < 1000 ? number_text(error, 2) : grouped(error));
     return estimate->converging ? text : text + ", " + words("not converging");
 }
@@ -334,7 +333,7 @@ Document answer_tables(const ReportInput& input) {
     const Runout& run_out = f.statistics.run_out();
     const RunResult& r = input.result;
     std::vector<Row> where{
-        {words("Volume that came in"), number.grouped(r.volume_entered), "m³", ""},
+        {words("Volume"), number.grouped(r.volume_entered), "m³", ""},
         {words("Drop"), number.grouped(run_out.drop_m), "m", ""},
         {words("Angle of reach"), number(run_out.reach_angle_deg, 3), "°", ""},
         {words("Run-out along the flow path"), number.grouped(run_out.path_m), "m", ""},
@@ -348,8 +347,8 @@ Document answer_tables(const ReportInput& input) {
         const std::string unit = std::string("_") + what.key_unit;
         strength.push_back({words(what.title), number(greatest(f.high[i]), 3), what.row().unit, what.name + unit});
         if (i >= k_answered && !std::isnan(f.high[i].p999))
-            strength.push_back({words("99.9 % of the area"), number(f.high[i].p999, 3), what.row().unit,
-                                std::string(what.name) + "_p999" + unit});
+            strength.push_back({words(what.title) + ", " + words("{1} % of the area", {number(99.9)}),
+                                number(f.high[i].p999, 3), what.row().unit, std::string(what.name) + "_p999" + unit});
     }
     return Document().columns(Document()
                                   .add(values_table(words("Run-out and area"), where, input))
@@ -375,7 +374,8 @@ Document scenario(const ReportInput& input) {
         .add(exposure_answer(input.facts.exposure, ReachedBy::the_flow, words))
         .part(k_comparison_answer, comparison_answer(input.comparison, words))
         .first_warnings(warnings_of(input), words)
-        .paragraph(words("Limitations."), words("One run with one set of values; frana ensemble gives the range."));
+        .paragraph(words("Limitations") + ".",
+                   words("One run with one set of values; frana ensemble gives the range."));
 }
 
 }  // namespace frana::app

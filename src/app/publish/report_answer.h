@@ -13,7 +13,6 @@ namespace frana::app {
 // The first page of a report.
 
 /// Returns the comments of the scene's material preset; none without a preset, or if it cannot be read.
-std::vector<std::string> preset_comments(const SceneSpec& spec);
 /// Returns the origin of a key's value: "scene file", "preset bindo".
 std::string origin_text(const SceneSpec& spec, const std::string& key, const Words& words);
 

@@ -30,20 +30,18 @@ void add_statistics(Table& table, const ComparisonStatistics& f, const Words& wo
     const auto score = [&](const std::string& name, double value, const std::string& unit) {
         table.number(name, words.number(number_text(value, 3)), unit);
     };
-    score(words("Depth that counts as covered"), f.threshold_m, "m");
+    score(words("Depth threshold"), f.threshold_m, "m");
     area(words("Observed area"), f.observed_area_m2);
     area(words("Simulated area"), f.simulated_area_m2);
-    table.number(words("Area difference (simulated − observed) / observed"),
-                 words.number(signed_number_text(f.signed_area_difference_percent())), "%");
+    table.number(words("Area difference"), words.number(signed_number_text(f.signed_area_difference_percent())), "%");
     area(words("Hit"), f.hit_m2);
     area(words("False alarm"), f.false_alarm_m2);
     area(words("Miss"), f.miss_m2);
-    score(words("Jaccard index (critical success index), best 1"), f.jaccard, "");
-    score(words("Dice coefficient, best 1"), f.dice, "");
-    score(words("True positive rate, best 1"), f.true_positive_rate, "");
-    score(words("False positive rate, best 0"), f.false_positive_rate, "");
-    score(words("Distance to perfect classification, best 0"), f.d2pc, "");
-    score(words("Area under the ROC curve, best 1"), f.auroc, "");
+    score(words("Jaccard index"), f.jaccard, "");
+    score(words("Dice coefficient"), f.dice, "");
+    score(words("True positive rate"), f.true_positive_rate, "");
+    score(words("False positive rate"), f.false_positive_rate, "");
+    score(words("Area under the ROC curve"), f.auroc, "");
 }
 
 Table scores_table(const Comparison& c, const Words& words) {
@@ -54,25 +52,23 @@ Table scores_table(const Comparison& c, const Words& words) {
     if (c.outline) {
         table.number(words("Distance of the outlines, mean"), number(c.outline->mean_m), "m")
             .number(words("Distance of the outlines, 95 %"), number(c.outline->percentile_95_m), "m")
-            .number(words("Distance of the outlines, greatest (Hausdorff)"), number(c.outline->hausdorff_m), "m");
+            .number(words("Hausdorff distance of the outlines"), number(c.outline->hausdorff_m), "m");
     }
     if (c.runout_difference_m)
-        table.number(words("Run-out, simulated minus observed, straight"), signed_number(*c.runout_difference_m), "m");
+        table.number(words("Run-out, simulated minus observed"), signed_number(*c.runout_difference_m), "m");
     if (c.path_runout) {
         table
-            .number(words("Run-out along the flow path, simulated"), words.number(grouped(c.path_runout->simulated_m)),
-                    "m")
-            .number(words("Run-out along the flow path, observed"), words.number(grouped(c.path_runout->observed_m)),
-                    "m");
+            .number(words("Run-out along the flow path") + ", " + words("simulated"),
+                    words.number(grouped(c.path_runout->simulated_m)), "m")
+            .number(words("Run-out along the flow path") + ", " + words("observed"),
+                    words.number(grouped(c.path_runout->observed_m)), "m");
     }
     for (const FrontComparison& front : c.fronts) {
-        table
-            .number(words("Front {1}: mean distance, + beyond, − short", {front.name}), signed_number(front.mean_m),
-                    "m")
+        table.number(words("Front {1}: mean distance, + beyond", {front.name}), signed_number(front.mean_m), "m")
             .number(words("Front {1}: reached, of its length", {front.name}), number(front.reached_percent), "%");
     }
     for (const TipComparison& tip : c.tips)
-        table.number(words("Tip {1}: distance, + beyond, − short", {tip.name}), signed_number(tip.distance_m), "m");
+        table.number(words("Tip {1}: distance, + beyond", {tip.name}), signed_number(tip.distance_m), "m");
     return table;
 }
 
@@ -81,8 +77,8 @@ Table deposit_table(const Comparison& c, const Words& words) {
     const auto number = [&](double value) { return words.number(number_text(value, 3)); };
     add_statistics(table, *c.deposit_overlap, words);
     if (const auto& d = c.deposit_depth) {
-        table.number(words("Volume of the deposit, observed"), words.number(grouped(d->observed_volume_m3)), "m³")
-            .number(words("Volume of the deposit, simulated"), words.number(grouped(d->simulated_volume_m3)), "m³")
+        table.number(words("Volume") + ", " + words("observed"), words.number(grouped(d->observed_volume_m3)), "m³")
+            .number(words("Volume") + ", " + words("simulated"), words.number(grouped(d->simulated_volume_m3)), "m³")
             .number(words("Mean error of depth"), words.number(signed_number_text(d->bias_m)), "m")
             .number(words("Mean absolute error of depth"), number(d->mean_absolute_error_m), "m")
             .number(words("Root mean square error of depth"), number(d->rmse_m), "m")
@@ -120,13 +116,11 @@ Document comparison_answer(const std::optional<Comparison>& comparison, const Wo
     if (!comparison) return {};
     Table table({words("Comparison with the survey"), "", ""});
     if (const auto& f = comparison->statistics)
-        table
-            .number(words("Jaccard index (critical success index), best 1"), words.number(number_text(f->jaccard, 3)),
-                    "")
-            .number(words("True positive rate, best 1"), words.number(number_text(f->true_positive_rate, 3)), "")
+        table.number(words("Jaccard index"), words.number(number_text(f->jaccard, 3)), "")
+            .number(words("True positive rate"), words.number(number_text(f->true_positive_rate, 3)), "")
             .number(words("False alarm"), words.number(grouped(f->false_alarm_m2)), "m²");
     if (comparison->runout_difference_m)
-        table.number(words("Run-out, simulated minus observed, straight"),
+        table.number(words("Run-out, simulated minus observed"),
                      words.number(signed_number_text(*comparison->runout_difference_m)), "m");
     return table.rows().empty() ? Document() : Document(std::move(table));
 }
@@ -139,13 +133,13 @@ Document comparison_section(const std::optional<Comparison>& comparison, const s
     section.heading("comparison", words("Comparison with the survey"));
     if (c.statistics && fs::exists(picture))
         section.add(Figure{
-            picture, words("Simulated against observed area"),
-            words("Comparison: {1} m² hit, {2} m² false alarm, {3} m² missed",
-                  {words.number(grouped(c.statistics->hit_m2)), words.number(grouped(c.statistics->false_alarm_m2)),
-                   words.number(grouped(c.statistics->miss_m2))})});
+            picture, words("Comparison with the survey"),
+            words.labelled(words("Hit"), words.number(grouped(c.statistics->hit_m2)) + " m²; ") +
+                words.labelled(words("False alarm"), words.number(grouped(c.statistics->false_alarm_m2)) + " m²; ") +
+                words.labelled(words("Miss"), words.number(grouped(c.statistics->miss_m2)) + " m²")});
     Document columns;
     columns.box("", scores_table(c, words));
-    if (!c.curve.empty()) columns.box(words("Scores over the depth threshold"), score_chart(c.curve, words));
+    if (!c.curve.empty()) columns.box(words("Scores"), score_chart(c.curve, words));
     section.columns(std::move(columns));
     if (c.deposit_overlap) section.subheading(words("Deposit")).add(deposit_table(c, words));
     return section;
@@ -170,25 +164,24 @@ std::string map_title(const ProbabilityMap& map, const Words& words) {
 Document answer(const ProbabilityScores& scores, const ProbabilityMap& map, const Words& words) {
     const ReportNumbers number(words);
     return Table({map_title(map, words), "", ""})
-        .number(words("Brier score, best 0"), number(scores.brier, 3), "")
-        .number(words("Brier skill, best 1"), number(scores.brier_skill, 3), "")
-        .number(words("Area under the ROC curve, best 1"), number(scores.auroc, 3), "");
+        .number(words("Brier score"), number(scores.brier, 3), "")
+        .number(words("Brier skill"), number(scores.brier_skill, 3), "")
+        .number(words("Area under the ROC curve"), number(scores.auroc, 3), "");
 }
 
 Document section(const ProbabilityScores& scores, const ProbabilityMap& map, const Words& words) {
     const ReportNumbers number(words);
     Table table;
     table.number(words("Observed area"), number.grouped(scores.observed_area_m2), "m²")
-        .number(words("Brier score, best 0"), number(scores.brier, 3), "")
-        .number(words("Brier skill, best 1"), number(scores.brier_skill, 3), "")
-        .number(words("Reliability: how far the probabilities are from those observed, best 0"),
-                number(scores.reliability, 3), "")
-        .number(words("Resolution: how far they differ from the mean"), number(scores.resolution, 3), "")
-        .number(words("Area under the ROC curve, best 1"), number(scores.auroc, 3), "");
+        .number(words("Brier score"), number(scores.brier, 3), "")
+        .number(words("Brier skill"), number(scores.brier_skill, 3), "")
+        .number(words("Reliability"), number(scores.reliability, 3), "")
+        .number(words("Resolution"), number(scores.resolution, 3), "")
+        .number(words("Area under the ROC curve"), number(scores.auroc, 3), "");
     return Document()
         .heading("comparison", words("Comparison with the survey"))
         .add(Figure{"", map_title(map, words),
-                    words("Reliability of probabilities, and ROC curve with area {1}", {number(scores.auroc, 3)}),
+                    words.labelled(words("Area under the ROC curve"), number(scores.auroc, 3)),
                     page_chart_svg(probability_chart(scores, map))})
         .add(table);
 }

@@ -27,14 +27,13 @@
 namespace frana::app {
 namespace {
 
-/// "Float32 in metre (assumed)", "300 x 270 of", "1 polygon"
+/// "Float32, m (assumed)", "300 x 270", "polygons: 1"
 std::string line_in(std::string line, const Words& words) {
-    const std::string assumed = " (assumed)", in = " in ", area = " m2";
+    const std::string assumed = " (assumed)", area = " m2";
     if (line.ends_with(assumed))
         return line_in(line.substr(0, line.size() - assumed.size()), words) + " (" + words("assumed") + ")";
-    if (const std::size_t at = line.find(in); at != std::string::npos)
-        return words("{1} in {2}", {line.substr(0, at), words(line.substr(at + in.size()))});
     if (line.ends_with(area)) line.replace(line.size() - area.size(), area.size(), " m²");
+    if (const std::size_t by = line.find(" x "); by != std::string::npos) line.replace(by, 3, " × ");
     return NumberPattern(line).in(words);
 }
 
@@ -59,11 +58,9 @@ std::string content_in(const UsedFile& file, const Words& words) {
 std::string operation_in(const UsedFile& file, const Words& words) {
     if (file.crs_label.empty()) return "";
     const std::string operation = transform_text(file.transform);
-    if (operation == "none") return words("none needed");
+    if (operation == "none") return "–";
     const double accuracy = file.transform.accuracy_m;
-    if (accuracy < 0) return words("{1}; accuracy unknown", {operation});
-    if (accuracy == 0) return words("{1}; exact", {operation});
-    return words("{1}; accuracy {2} m", {operation, words.number(number_text(accuracy, 3))});
+    return operation + "; ± " + (accuracy < 0 ? "?" : words.number(number_text(accuracy, 3))) + " m";
 }
 
 namespace {
@@ -74,8 +71,8 @@ constexpr std::size_t k_most_rows = 20;  // of hundreds, the files of the result
 Document flows_table(const std::vector<Runout>& run_outs, const Words& words) {
     if (run_outs.size() < 2) return {};
     const ReportNumbers number(words);
-    Table table({words("Flow"), words("Run-out [m]"), words("Drop [m]"), words("Angle of reach [°]"),
-                 words("Area [m²]"), words("From"), words("To")});
+    Table table({words("Flow"), words("Run-out") + " [m]", words("Drop") + " [m]", words("Angle of reach") + " [°]",
+                 words("Area") + " [m²]", words("From"), words("To")});
     const auto place = [](Point p) { return number_text(p.x, 9) + ", " + number_text(p.y, 9); };
     for (std::size_t i = 0; i < std::min(run_outs.size(), k_most_rows); ++i) {
         const Runout& one = run_outs[i];
@@ -91,8 +88,8 @@ Document gauges_table(const ReportInput& input) {
     const ReportNumbers number(words);
     const std::vector<GaugeAnswer> gauges = gauge_answers(input);
     if (gauges.empty()) return {};
-    Table table({words("Gauge"), words("First arrival [s]"), words("Greatest depth [m]"), words("its error"),
-                 words("Greatest speed [m/s]"), words("its error")});
+    Table table({words("Gauges"), words("Arrival time") + " [s]", words("Maximum depth") + " [m]", words("its error"),
+                 words("Maximum velocity") + " [m/s]", words("its error")});
     for (const GaugeAnswer& one : gauges) {
         const std::string key = "gauge " + one.name + ": ";
         table.row({one.name, one.arrival ? number(*one.arrival, 3) : words("not reached"), number(one.depth, 3),
@@ -112,8 +109,8 @@ Document sections_table(const ReportInput& input) {
         discharge[row.section] = std::max(discharge[row.section], std::abs(row.discharge));
         volume[row.section] = row.volume;
     }
-    Table table({words("Cross-section"), words("Greatest discharge [m³/s]"), words("its error"), words("Volume [m³]"),
-                 words("its error")});
+    Table table({words("Cross-sections"), words("Maximum discharge") + " [m³/s]", words("its error"),
+                 words("Volume") + " [m³]", words("its error")});
     for (std::size_t i = 0; i < sections.size(); ++i) {
         const std::string key = "section " + sections[i].name + ": ";
         table.row({sections[i].name, number(discharge[i], 3),
@@ -134,8 +131,8 @@ std::string extent_in(const Bounds& box, const Words& words) {
         text << std::fixed << std::setprecision(2) << value;
         return words.number(text.str());
     };
-    return words("west {1}, south {2}, east {3}, north {4}",
-                 {metres(box.west), metres(box.south), metres(box.east), metres(box.north)});
+    return words("E {1}, N {2}",
+                 {metres(box.west) + " – " + metres(box.east), metres(box.south) + " – " + metres(box.north)});
 }
 
 }  // namespace
@@ -143,7 +140,8 @@ std::string extent_in(const Bounds& box, const Words& words) {
 Document high_values_table(const ReportInput& input) {
     const Words& words = input.words;
     const ReportNumbers number(words);
-    Table table({"", words("greatest"), words("99.9 % of the area"), words("99 % of the area")});
+    const auto of_area = [&](double percent) { return words("{1} % of the area", {number(percent)}); };
+    Table table({"", words("maximum"), of_area(99.9), of_area(99)});
     const PeakStatistics& high = input.facts.high;
     for (std::size_t i = 0; i < high.size(); ++i) {
         const PeakStatistic& what = k_peak_statistics[i];
@@ -161,7 +159,8 @@ Document high_values_table(const ReportInput& input) {
 
 Document ground_table(const SummaryFacts& facts, const Words& words) {
     const ReportNumbers number(words);
-    Table table({"", words("lowest [m]"), words("highest [m]"), words("mean slope [°]"), words("steepest slope [°]")});
+    Table table({"", words("Lowest") + " [m]", words("Highest") + " [m]", words("Mean slope") + " [°]",
+                 words("Steepest slope") + " [°]"});
     const auto row = [&](const std::string& where, const std::optional<GroundStatistics>& ground) {
         if (!ground) return;
         table.row({where, number(ground->lowest, 5), number(ground->highest, 5), number(ground->mean_slope_deg, 3),
@@ -176,7 +175,7 @@ Document budget_table(const RunResult& r, const Words& words) {
     const ReportNumbers n(words);
     Table table;
     const auto volume = [&](const std::string& name, double value) { table.number(name, n.grouped(value), "m³"); };
-    volume(words("Released, at the start and later"), r.volume_entered - r.volume_inflow);
+    volume(words("Released"), r.volume_entered - r.volume_inflow);
     if (r.volume_inflow > 0) volume(words("Inflow"), r.volume_inflow);
     if (r.exchanges) {
         volume(words("Eroded from the bed"), r.volume_eroded);
@@ -188,16 +187,15 @@ Document budget_table(const RunResult& r, const Words& words) {
             for (const double value : values) texts.push_back(n.grouped(value));
             table.number(name, joined(texts, "; "), "m³");
         };
-        volumes(words("Solids: came in, inside at the end, left"),
-                {p->entered.solids, p->inside.solids, p->left.solids});
-        volumes(words("Confined water: came in, released, inside at the end, left"),
+        volumes(words("Solids: entered; inside; left"), {p->entered.solids, p->inside.solids, p->left.solids});
+        volumes(words("Confined water: entered; released; inside; left"),
                 {p->entered.confined, p->released, p->inside.confined, p->left.confined});
-        volumes(words("Free water: came in, inside at the end, left"), {p->entered.free, p->inside.free, p->left.free});
-        table.number(words("Cohesion left, mean of the solids inside, of 1"), n(p->cohesion_left, 3), "");
+        volumes(words("Free water: entered; inside; left"), {p->entered.free, p->inside.free, p->left.free});
+        table.number(words("Cohesion left"), n(p->cohesion_left, 3), "");
     }
-    volume(words("Inside at the end"), r.volume_final);
-    volume(words("Left the computed ground"), r.volume_left);
-    return table.number(words("Budget error, of all volume that came in"), n(relative_volume_error(r), 2), "");
+    volume(words("Inside the domain"), r.volume_final);
+    volume(words("Left the domain"), r.volume_left);
+    return table.number(words("volume error"), n(100 * relative_volume_error(r), 2), "%");
 }
 
 Document numerics_table(const ReportInput& input) {
@@ -207,49 +205,42 @@ Document numerics_table(const ReportInput& input) {
     const GridSpec& grid = input.prepared.scene.grid;
     const HardEvents& e = r.hard_events;
     Table table;
-    const auto event = [&](const std::string& name, std::int64_t count) {
-        table.number(name, n.grouped(count), words("0 in a good run"));
+    std::vector<std::string> errors;
+    const auto event = [&](const char* key, std::int64_t count) {
+        if (count > 0) errors.push_back(key + (" " + n.grouped(count)));
     };
     table
-        .number(words("Cells of {1} m", {n(grid.cell_size)}), n.grouped(grid.columns) + " × " + n.grouped(grid.rows),
+        .number(words("cells of {1} m", {n(grid.cell_size)}), n.grouped(grid.columns) + " × " + n.grouped(grid.rows),
                 "")
         .number(
-            words("Particles: start, end, peak"),
+            words("Particles: start; end; maximum"),
             n.grouped(r.particles_initial) + "; " + n.grouped(r.particles_final) + "; " + n.grouped(r.particles_peak),
             "")
         .number(words("Time steps"), n.grouped(r.steps), "");
-    event(words("Non-finite particles"), e.non_finite);
-    event(words("Depths clamped"), e.depth_clamped);
-    event(words("Particles over ground without elevation"), e.entered_no_data);
-    event(words("Speeds above what the fall allows"), e.impossible_speed);
-    event(words("Steps with a volume error"), e.volume_drift);
-    return table;
-}
-
-std::string terms_note(const ReportInput& input) {
-    std::vector<std::string> terms;
-    for (const std::string& term : input.result.terms) terms.push_back(term_in(term, input.words));
-    return input.words("Computed: {1}", {joined(terms, "; ")});
+    event("non_finite", e.non_finite);  // as summary.json names them
+    event("depth_clamped", e.depth_clamped);
+    event("entered_no_data", e.entered_no_data);
+    event("impossible_speed", e.impossible_speed);
+    event("volume_drift", e.volume_drift);
+    return table.number(words("Numerical errors"), errors.empty() ? "0" : joined(errors, "; "), "");
 }
 
 Document accuracy_tables(const AccuracyRecord& record, const Words& words) {
     const ReportNumbers n(words);
-    Table levels({words("cells [m]"), words("particles"), words("steps"), words("time [s]"), words("problem")});
+    Table levels({words("Cell size") + " [m]", words("Particles"), words("Time steps"), words("Time") + " [s]",
+                  words("Problem")});
     for (const AccuracyLevel& level : record.levels) {
         levels.row({n(level.cell_size), level.particles > 0 ? n.grouped(level.particles) : words("finite volumes"),
                     n.grouped(level.steps), n(level.wall_seconds, 3), level.problem});
     }
-    Table values({words("value"), "", words("estimated error"), words("trend"), words("claimed")});
+    Table values({words("Value"), "", words("Estimated error"), words("Trend"), words("Allowed error")});
     for (const ValueEstimate& e : value_estimates(record)) {
         const std::string unit = " " + unit_sign(e.value.unit);
         values.row({e.value.title.in(words), n.rounded(e.value.value) + unit,
                     !std::isfinite(e.error)
-                        ? words("not converged")
+                        ? words("not converging")
                         : n.rounded(e.error, 2) + unit + (e.value.value != 0 ? " (" + n(e.percent(), 2) + " %)" : ""),
-                    words(describe(e.convergence.trend)),
-                    e.is_zero       ? words("zero on all levels")
-                    : e.is_within() ? words("yes")
-                                    : words("no")});
+                    words(describe(e.convergence.trend)), n.rounded(e.allowed, 2) + unit});
     }
     return Document()
         .paragraph(accuracy_verdict(record, words) + ".")
@@ -260,7 +251,7 @@ Document accuracy_tables(const AccuracyRecord& record, const Words& words) {
 
 Document release_table(const RunResult& result, const Words& words) {
     const ReportNumbers n(words);
-    Table table({words("area"), words("name"), words("start [s]"), words("area [m²]"), words("volume [m³]")});
+    Table table({"", words("Name"), words("Start") + " [s]", words("Area") + " [m²]", words("Volume") + " [m³]"});
     for (std::size_t i = 0; i < result.released.size(); ++i) {
         const ReleasedArea& area = result.released[i];
         table.row({std::to_string(i + 1), area.name.empty() ? "–" : area.name, n(area.start), n.grouped(area.area),
@@ -273,7 +264,7 @@ Document friction_table(const FrictionByPlace& friction, const std::vector<Frict
     const ReportNumbers n(words);
     const FrictionChoice& choice = friction.choice();
     const FrictionTable& source = choice.table;
-    Table table({words("terrain"), words("elevation"), "μ", "ξ [m/s²]", words("area [m²]")});
+    Table table({words("Terrain"), words("Elevation"), "μ", "ξ [m/s²]", words("Area") + " [m²]"});
     std::vector<std::string> crossed;
     for (std::size_t band = 1; band <= source.altitudes.size(); ++band) {
         const auto is_at = [&](std::size_t of) {
@@ -283,7 +274,7 @@ Document friction_table(const FrictionByPlace& friction, const std::vector<Frict
     }
     for (const FrictionArea& area : areas) {
         const FrictionPair pair = choice.at(area.kind, area.band, area.forest);
-        table.row({words(source.terrain[area.kind].name) + (area.forest ? ", " + words("forest") : ""),
+        table.row({words(source.terrain[area.kind].name) + (area.forest ? ", " + words("Forest") : ""),
                    class_text(source.altitudes, area.band, "m").in(words),
                    n(pair.coefficient, 3),
                    n.rounded(pair.turbulence, 4),
@@ -292,12 +283,10 @@ Document friction_table(const FrictionByPlace& friction, const std::vector<Frict
     Document told;
     told.paragraph(friction_text(choice).in(words));
     if (choice.friction_factor != 1 || choice.turbulence_factor != 1)
-        told.paragraph(words("Every μ times {1}, every ξ times {2}.",
-                             {n(choice.friction_factor, 3), n(choice.turbulence_factor, 3)}));
+        told.paragraph("μ × " + n(choice.friction_factor, 3) + ", ξ × " + n(choice.turbulence_factor, 3));
     if (!areas.empty()) told.add(table);
     if (source.terrain.size() > 1)
-        told.small(words("Areas by nearest class; values interpolated over {1} m in mu.tif and xi.tif.",
-                         {n(friction.spacing(), 4)}));
+        told.small(words("Interpolated over {1} m in mu.tif and xi.tif.", {n(friction.spacing(), 4)}));
     if (!crossed.empty()) told.small(words("μ and ξ step at elevations of {1} m.", {joined(crossed, ", ")}));
     if (!source.note.empty()) told.small(source.note);
     return told;
@@ -306,7 +295,7 @@ Document friction_table(const FrictionByPlace& friction, const std::vector<Frict
 Document hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& areas, const Words& words) {
     const ReportNumbers n(words);
     const std::optional<HazardScheme> scheme = hazard_scheme_of(spec);
-    Table table({words("class"), "", words("thresholds"), words("area [m²]")});
+    Table table({words("Class"), "", words("Thresholds"), words("Area") + " [m²]"});
     for (const HazardArea& area : areas) {
         Cell kind = area.kind.name == area.kind.thresholds ? "" : words(area.kind.name);
         kind.swatch = hex(area.kind.colour);
@@ -316,8 +305,8 @@ Document hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& area
                    {n.grouped(area.area_m2), "n"}});
     }
     Document told;
-    told.paragraph(words("Scheme {1}, after {2}.", {words(scheme->called), words(scheme->source)}))
-        .paragraph(words("Intensity of one scenario, without its frequency."))
+    told.paragraph(words("Scheme") + ".", words(scheme->called) + "; " + words(scheme->source))
+        .paragraph(words("Intensity of one scenario, without its frequency"))
         .add(table);
     for (const std::string& label : scheme->minimum_labels()) told.small(class_label(label, words));
     return told;
@@ -325,35 +314,29 @@ Document hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& area
 
 Document inputs_table(const Prepared& p, const Words& words) {
     const ReportNumbers n(words);
-    Table table({words("input"), words("file"), words("content"), words("CRS"), words("operation to the working CRS")});
+    Table table(
+        {words("Inputs"), words("File"), words("Content"), words("CRS"), words("Operation to the working CRS")});
     for (const UsedFile& file : p.files) {
         table.row({role_in(file, words),
                    p.result_folder.empty() ? file.path : relative_path(file.path, p.result_folder),
                    content_in(file, words), words(file.crs_label), operation_in(file, words)});
     }
-    Document inputs;
-    inputs
-        .paragraph(words("Working CRS: {1}; extent {2}; cells without elevation: {3}, filled: {4}.",
+    return Document()
+        .paragraph(words("Working CRS: {1}; extent {2}; cells without elevation: {3}, filled: {4}",
                          {p.ground.crs_label, extent_in(p.scene.grid.bounds(), words), n.grouped(p.ground.nodata_cells),
                           n.grouped(p.ground.filled_cells)}))
         .add(table);
-    std::vector<std::string> remarks;
-    for (const std::string& text : paragraphs_of(preset_comments(p.spec))) remarks.push_back(words(text));
-    if (!remarks.empty())
-        inputs.subheading(words("Material preset {1}", {p.spec.material.preset.value_or("")}))
-            .small(joined(remarks, " "));
-    return inputs;
 }
 
 Document parameters_table(const Prepared& p, bool only_used, const Words& words) {
-    Table table({words("key"), words("value"), words("origin"), words("meaning")}, "keys");
+    Table table({words("Key"), words("Value"), words("Origin"), words("Meaning")}, "keys");
     const SceneSpec shown = seen_from_result(p);
     for (const Parameter& parameter : scene_parameters()) {
         const std::string name = parameter.name();
         const auto chosen = p.resolved.find(name);
         if (only_used && !is_used(p.spec, parameter, chosen != p.resolved.end())) continue;
         std::string value = parameter.write(shown).value_or("");
-        if (value.empty()) value = "(" + absent_in(parameter, words) + ")";
+        if (value.empty()) value = "–";
         if (chosen != p.resolved.end() && chosen->second != value)
             value += " → " + (name == "terrain.bounds" ? extent_in(p.scene.grid.bounds(), words) : chosen->second);
         table.row(

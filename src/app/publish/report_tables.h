@@ -60,7 +60,6 @@ Document accuracy_tables(const AccuracyRecord& record, const Words& words);
 Document budget_table(const RunResult& result, const Words& words);
 Document numerics_table(const ReportInput& input);
 /// The physics and numerics that were computed.
-std::string terms_note(const ReportInput& input);
 /// Each area that failed: name, start, area, volume.
 Document release_table(const RunResult& result, const Words& words);
 /// By which part of a friction table the flow ran where, and where that comes from.

@@ -44,7 +44,7 @@ std::string cells(double size) {
 
 /// Percent of the value, or its unit where that is zero.
 std::string error_text(const ValueEstimate& estimate, const Words& words) {
-    if (!std::isfinite(estimate.error)) return words("not converged");
+    if (!std::isfinite(estimate.error)) return words("not converging");
     const bool has_percent = std::isfinite(estimate.percent());
     return words.number(number_text(has_percent ? estimate.percent() : estimate.error, 2)) + " " +
            (has_percent ? "%" : estimate.value.unit);
@@ -52,27 +52,10 @@ std::string error_text(const ValueEstimate& estimate, const Words& words) {
 
 /// States the cell size of the result and of its terrain.
 std::string cells_sentence(const AccuracyRecord& record, const Words& words) {
-    const std::string size = words.number(number_text(record.chosen_cell_size));
-    std::string text = record.is_finest() ? words("the result is on cells of {1} m, the scene's own", {size})
-                                          : words("the result is on cells of {1} m", {size});
-    if (record.terrain_cell_size > 0 && record.chosen_cell_size < record.terrain_cell_size * (1 - 1e-9))
-        text += ", " + words("finer than the DTM's {1} m: terrain interpolated between its cells",
-                             {words.number(number_text(record.terrain_cell_size))});
-    return text;
-}
-
-/// "all 6 values", and the number of values without an estimate.
-std::string claimed_values(const std::vector<ValueEstimate>& estimates, const Words& words) {
-    const auto zeros =
-        std::count_if(estimates.begin(), estimates.end(), [](const ValueEstimate& e) { return e.is_zero; });
-    const std::string all = std::to_string(static_cast<std::ptrdiff_t>(estimates.size()) - zeros);
-    return zeros == 0 ? words("all {1} values", {all})
-                      : words("all {1} values that are not zero on all levels; {2} are, without an estimate",
-                              {all, std::to_string(zeros)});
-}
-
-std::string caution(const Words& words) {
-    return words("Discretisation only: errors of data, material and model are not included");
+    const auto metres = [&](double size) { return words.number(number_text(size)); };
+    const std::string text = words("cells of {1} m", {metres(record.chosen_cell_size)});
+    const bool is_finer = record.chosen_cell_size < record.terrain_cell_size * (1 - 1e-9);
+    return is_finer ? text + ", " + words("finer than the DTM's {1} m", {metres(record.terrain_cell_size)}) : text;
 }
 
 }  // namespace
@@ -212,13 +195,11 @@ std::string accuracy_verdict(const AccuracyRecord& record, const Words& words) {
     const std::vector<ValueEstimate> estimates = value_estimates(record);
     const std::string asked = "numerics.accuracy = " + words.number(percent_text(record.asked));
     const std::string result = cells_sentence(record, words);
-    if (estimates.empty())
-        return words("{1} is not claimed: there are too few coarser levels for an estimate of error; {2}",
-                     {asked, result});
-    if (is_reached(estimates))
-        return words("{1} is met according to the estimate for {2}; {3}",
-                     {asked, claimed_values(estimates, words), result}) +
-               ". " + caution(words);
+    if (estimates.empty()) return words("{1} not estimated, too few coarser levels; {2}", {asked, result});
+    const std::string all = std::to_string(
+        std::count_if(estimates.begin(), estimates.end(), [](const ValueEstimate& e) { return !e.is_zero; }));
+    const std::string rest = "; " + result + "; " + words("discretisation error only");
+    if (is_reached(estimates)) return words("{1} met by {2} of {3} values", {asked, all, all}) + rest;
     constexpr std::size_t k_named = 4;
     std::vector<std::string> named;
     std::size_t unmet = 0;
@@ -226,10 +207,9 @@ std::string accuracy_verdict(const AccuracyRecord& record, const Words& words) {
         if (e.is_zero || e.is_within()) continue;
         if (++unmet <= k_named) named.push_back(e.value.title.in(words) + " (" + error_text(e, words) + ")");
     }
-    if (unmet > k_named) named.push_back(words("and {1} more", {std::to_string(unmet - k_named)}));
-    return words("{1} is not claimed for {2} of {3} values, whose estimated error is greater: {4}; {5}",
-                 {asked, std::to_string(unmet), std::to_string(estimates.size()), joined(named, ", "), result}) +
-           ". " + caution(words);
+    if (unmet > k_named) named.push_back("… " + std::to_string(unmet - k_named));
+    return words("{1} not met by {2} of {3} values", {asked, std::to_string(unmet), all}) + ": " + joined(named, ", ") +
+           rest;
 }
 
 namespace {

@@ -200,7 +200,7 @@ void remove_partial(const std::string& result, RunLog& log) {
     }
     if (!error) fs::remove(partial, error);
     if (error && error != std::errc::directory_not_empty)
-        log.warn(worded("older result not removed: {1}; what is left of it is in {2}", {error.message(), partial}));
+        log.warn(worded("older result not removed: {1}; the rest is in {2}", {error.message(), partial}));
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/store/result_files.h"
+#include "app/text/number_text.h"
 #include "core/colour.h"
 #include "core/words/words.h"
 #include "gis/vector/vector_style.h"
@@ -77,35 +78,35 @@ const std::string k_name = "name";  // attribute that labels a feature
 
 /// Attributes of the layers, besides the names of rasters.
 struct Attribute {
-    const char *name, *title;
+    const char *name, *title, *unit = "";
 };
 constexpr Attribute k_attributes[] = {
-    {"name", worded("name")},
-    {"area_m2", worded("area [m²]")},
-    {"length_m", worded("length [m]")},
-    {"threshold_m", worded("depth threshold [m]")},
-    {"thickness_vertical_m", worded("mean thickness, vertical [m]")},
-    {"thickness_normal_m", worded("mean thickness, normal to the bed [m]")},
-    {"volume_m3", worded("volume [m³]")},
-    {"start_s", worded("start [s]")},
-    {"max_depth_m", worded("greatest depth [m]")},
-    {"max_depth_p999_m", worded("depth on 99.9 % of the area [m]")},
-    {"max_velocity_ms", worded("Greatest speed [m/s]")},
-    {"max_velocity_p999_ms", worded("speed on 99.9 % of the area [m/s]")},
-    {"max_pressure_kpa", worded("Greatest pressure [kPa]")},
-    {"arrival_s", worded("First arrival [s]")},
-    {"runout_m", worded("run-out [m]")},
-    {"drop_m", worded("Drop [m]")},
-    {"reach_angle_deg", worded("Angle of reach [°]")},
-    {"distance_m", worded("distance [m]")},
-    {"probability", worded("probability [-]")},
-    {"class", worded("class")},
-    {"thresholds", worded("thresholds")},
-    {"scheme", worded("scheme")},
-    {"source", worded("reference")},
-    {"exposed", worded("exposed feature")},
-    {"count", worded("count")},
-    {"reached", worded("reached (1: yes)")},
+    {"name", worded("Name")},
+    {"area_m2", worded("Area"), "m²"},
+    {"length_m", worded("Length"), "m"},
+    {"threshold_m", worded("Depth threshold"), "m"},
+    {"thickness_vertical_m", worded("Thickness, vertical"), "m"},
+    {"thickness_normal_m", worded("Thickness, normal to the bed"), "m"},
+    {"volume_m3", worded("Volume"), "m³"},
+    {"start_s", worded("Start"), "s"},
+    {"max_depth_m", worded("Maximum depth"), "m"},
+    {"max_depth_p999_m", worded("99.9th percentile of depth"), "m"},
+    {"max_velocity_ms", worded("Maximum velocity"), "m/s"},
+    {"max_velocity_p999_ms", worded("99.9th percentile of speed"), "m/s"},
+    {"max_pressure_kpa", worded("Maximum dynamic pressure"), "kPa"},
+    {"arrival_s", worded("Arrival time"), "s"},
+    {"runout_m", worded("Run-out"), "m"},
+    {"drop_m", worded("Drop"), "m"},
+    {"reach_angle_deg", worded("Angle of reach"), "°"},
+    {"distance_m", worded("Distance"), "m"},
+    {"probability", worded("Probability")},
+    {"class", worded("Class")},
+    {"thresholds", worded("Thresholds")},
+    {"scheme", worded("Scheme")},
+    {"source", worded("Source")},
+    {"exposed", worded("Exposed features")},
+    {"count", worded("Count")},
+    {"reached", worded("Reached (1: yes)")},
 };
 
 /// Gives a layer of a file the style of its row.
@@ -141,58 +142,51 @@ const std::vector<VectorLayer>& vector_layers() {
     static const std::vector<VectorLayer> k_table{
         {k_gauge_places, "gauges", worded("Gauges"), Shape::point, {{150, 0, 60}, 2.5, false, k_name}},
         {k_gauge_places, "sections", worded("Cross-sections"), Shape::line, {{70, 50, 120}, 0.6, false, k_name}},
-        {k_exposure_file, "exposure_points", worded("Exposed places"), Shape::point, {{}, 3, false, ""}},
-        {k_exposure_file, "exposure_lines", worded("Exposed lines"), Shape::line, {{}, 0.8, false, ""}},
-        {k_exposure_file, "exposure_areas", worded("Exposed areas"), Shape::area, {{}, 0.6, false, ""}},
-        {k_comparison_outline, "scar", worded("Surveyed outline"), Shape::area, {k_scar_colour, 0.7, false, ""}},
-        {k_outlines_file, "scar", worded("Surveyed outline"), Shape::area, {k_scar_colour, 0.7, false, ""}},
+        {k_exposure_file, "exposure_points", worded("Exposed features"), Shape::point, {{}, 3, false, ""}},
+        {k_exposure_file, "exposure_lines", worded("Exposed features"), Shape::line, {{}, 0.8, false, ""}},
+        {k_exposure_file, "exposure_areas", worded("Exposed features"), Shape::area, {{}, 0.6, false, ""}},
+        {k_comparison_outline, "scar", worded("Observed outline"), Shape::area, {k_scar_colour, 0.7, false, ""}},
+        {k_outlines_file, "scar", worded("Observed outline"), Shape::area, {k_scar_colour, 0.7, false, ""}},
         {k_outlines_file, "release", worded("Release"), Shape::area, {k_release_colour, 0.6, true, k_name}},
-        {k_outlines_file, "deposit", worded("Outline of the deposit"), Shape::area, {{120, 70, 0}, 0.4, false, ""}},
-        {k_outlines_file,
-         "trace",
-         worded("Outline of all ground reached"),
-         Shape::area,
-         {{60, 60, 60}, 0.4, false, ""}},
-        {k_outlines_file,
-         probability_layer("95"),
-         worded("Reached by 95 %"),
-         Shape::area,
-         {k_likely_colour, 0.5, false, ""}},
+        {k_outlines_file, "deposit", worded("Deposit"), Shape::area, {{120, 70, 0}, 0.4, false, ""}},
+        {k_outlines_file, "trace", worded("Covered area"), Shape::area, {{60, 60, 60}, 0.4, false, ""}},
+        {k_outlines_file, probability_layer("95"), "Reached by 95 %", Shape::area, {k_likely_colour, 0.5, false, ""}},
         {k_outlines_file,
          probability_layer("50"),
-         worded("Reached by 50 %"),
+         "Reached by 50 %",
          Shape::area,
          {k_even_chance_colour, 0.5, false, ""}},
-        {k_outlines_file,
-         probability_layer("05"),
-         worded("Reached by 5 %"),
-         Shape::area,
-         {k_unlikely_colour, 0.5, true, ""}},
-        {k_profile_lines, "lines", worded("Profiles and flow path"), Shape::line, {{70, 50, 120}, 0.5, true, k_name}},
+        {k_outlines_file, probability_layer("05"), "Reached by 5 %", Shape::area, {k_unlikely_colour, 0.5, true, ""}},
+        {k_profile_lines, "lines", worded("Profiles"), Shape::line, {{70, 50, 120}, 0.5, true, k_name}},
         {k_profile_lines,
          "stations",
          worded("Stations of the profiles"),
          Shape::point,
          {{70, 50, 120}, 0.8, false, ""}},
         {k_member_outlines, "slopes", worded("Slopes"), Shape::area, {k_release_colour, 0.5, false, k_name}},
-        {k_member_outlines, "members", worded("Outlines of the runs"), Shape::area, {{90, 90, 90}, 0.2, false, ""}},
+        {k_member_outlines, "members", worded("Runs"), Shape::area, {{90, 90, 90}, 0.2, false, ""}},
     };
     return k_table;
 }
 
 gis::AttributeTitles attribute_titles(const Words& words) {
     gis::AttributeTitles titles;
-    for (const Attribute& one : k_attributes) titles.emplace_back(one.name, words(one.title));
+    for (const Attribute& one : k_attributes) titles.emplace_back(one.name, with_unit(words(one.title), one.unit));
     for (const ResultRaster& row : result_rasters()) {
         if (row.by_value) continue;
-        const bool has_unit = !row.unit.empty() && row.unit != "-";
-        titles.emplace_back(row.name, words(row.title) + (has_unit ? " [" + row.unit + "]" : ""));
+        titles.emplace_back(row.name, with_unit(words(row.title), row.unit));
     }
     return titles;
 }
 
+std::string layer_title(const VectorLayer& row, const Words& words) {
+    static const std::string k_reached_by = worded("Reached by {1} %");
+    const NumberPattern pattern(row.title);
+    return pattern.text == k_reached_by ? pattern.in(words) : words(row.title);
+}
+
 gis::StyleText style_in(const VectorLayer& row, const Words& words) {
-    return gis::titled(row.style(words), words(row.title), attribute_titles(words));
+    return gis::titled(row.style(words), layer_title(row, words), attribute_titles(words));
 }
 
 void write_result_outlines(const std::string& gpkg_path, const std::string& crs_wkt,

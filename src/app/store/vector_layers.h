@@ -56,6 +56,9 @@ struct VectorLayer {
 /// The one list of them, in the order in which a GIS shows them, the uppermost first.
 const std::vector<VectorLayer>& vector_layers();
 
+/// Returns the title of a row in a language.
+std::string layer_title(const VectorLayer& row, const Words& words);
+
 /// Returns the style of a row, its title and those of the attributes in a language.
 gis::StyleText style_in(const VectorLayer& row, const Words& words);
 /// Returns the titles that a GIS shows of the attributes of all layers.

@@ -15,12 +15,9 @@ namespace {
 constexpr double k_any = std::numeric_limits<double>::infinity();
 // Marks the readings as an angle of this tangent.
 constexpr double k_arc_tangent = 0;
-const char* const k_angle =
-    worded("{2} as a coefficient is {1} degrees: use friction-coefficient, or write that angle");
-const char* const k_speed = worded("if it is in km/h, write {1}");
+const char* const k_angle = worded("{2} as a coefficient is {1} degrees: use friction-coefficient");
 const char* const k_xi = worded("Voellmy's xi is mostly 100 to 4 000 m/s2");
-const char* const k_pascal = worded("if it is in kPa, write {1}");
-const char* const k_metre = worded("if it is in cm, write {1}");
+const char* const k_other_unit = worded("if it is in {3}, write {1}");
 const char* const k_frictionless = worded("that ground has no friction");
 
 const std::vector<PlausibleRange> k_ranges{
@@ -28,21 +25,20 @@ const std::vector<PlausibleRange> k_ranges{
     {"zones.friction-angle", 1, k_any, k_angle, k_arc_tangent, true, nullptr, k_frictionless},
     {"zones.friction-coefficient", 0, k_any, nullptr, 1, false, nullptr, k_frictionless},
     {"structured.bed-friction-angle", 1, k_any, k_angle, k_arc_tangent, true},
-    {"material.density", 50, 3500, worded("if it is in kN/m3, write {1}"), 1000 / 9.81, false,
-     worded("debris has 1 500 to 2 500 kg/m3")},
+    {"material.density", 50, 3500, "kN/m3", 1000 / 9.81, false, worded("debris has 1 500 to 2 500 kg/m3")},
     {"material.turbulence", 50, 10'000, k_xi},
     {"zones.turbulence", 50, 10'000, k_xi},
-    {"material.cohesion", 40, k_any, k_pascal, 1000},
-    {"zones.cohesion", 40, k_any, k_pascal, 1000},
-    {"structured.cohesion", 40, k_any, k_pascal, 1000},
-    {"material.yield-stress", 5, k_any, k_pascal, 1000},
-    {"material.ramms-yield-stress", 5, k_any, k_pascal, 1000},
+    {"material.cohesion", 40, k_any, "kPa", 1000},
+    {"zones.cohesion", 40, k_any, "kPa", 1000},
+    {"structured.cohesion", 40, k_any, "kPa", 1000},
+    {"material.yield-stress", 5, k_any, "kPa", 1000},
+    {"material.ramms-yield-stress", 5, k_any, "kPa", 1000},
     {"material.surface-pressure", 0, 50'000, worded("the pressure of the air does not count, write 0")},
-    {"material.table-volume", 1000, k_any, worded("if it is in 1000 m3, write {1}"), 1000},
-    {"entrainment.erodible-depth", 0, 15, k_metre, 0.01},
-    {"zones.erodible-depth", 0, 15, k_metre, 0.01},
-    {"release.velocity", 0, 50, k_speed, 1 / 3.6},
-    {k_hydrograph_velocity, 0, 30, k_speed, 1 / 3.6},
+    {"material.table-volume", 1000, k_any, "1000 m3", 1000},
+    {"entrainment.erodible-depth", 0, 15, "cm", 0.01},
+    {"zones.erodible-depth", 0, 15, "cm", 0.01},
+    {"release.velocity", 0, 50, "km/h", 1 / 3.6},
+    {k_hydrograph_velocity, 0, 30, "km/h", 1 / 3.6},
     {"terrain.obstacle-height", 0, 50, worded("it is a height above the ground, no elevation")},
 };
 
@@ -50,10 +46,12 @@ const std::vector<PlausibleRange> k_ranges{
 
 Sentence PlausibleRange::meant(double value) const {
     const double other = factor == k_arc_tangent ? std::atan(value) * 180 / std::numbers::pi : factor * value;
+    const bool is_unit = factor != k_arc_tangent && factor != 1;
     return worded(value == 0 && zero      ? zero
                   : value > most && above ? above
+                  : is_unit               ? k_other_unit
                                           : reading,
-                  {numeral(number_text(other, 3)), numeral(number_text(value, 4))});
+                  {numeral(number_text(other, 3)), numeral(number_text(value, 4)), is_unit ? reading : ""});
 }
 
 const PlausibleRange* plausible_range(const std::string& key) {

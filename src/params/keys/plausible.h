@@ -14,7 +14,7 @@ namespace frana {
 struct PlausibleRange {
     const char* key;
     double least, most;
-    const char* reading;  ///< what was probably meant; {1}: the value times `factor`
+    const char* reading;  ///< what was probably meant, {1}: the value times `factor`; else the unit of that factor
     double factor = 1;
     bool is_refused = false;      ///< outside the range, but for 0; else a warning
     const char* above = nullptr;  ///< what is said of greater values; null: `reading`

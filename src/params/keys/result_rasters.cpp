@@ -84,13 +84,13 @@ void add_study(Table& table) {
                 "Probability under the posterior that the maximum depth, vertical, exceeds the survey's threshold, "
                 "event {}");
     table.by("ensemble", "by `frana ensemble`");
-    probability("probability_depth", "Probability of more than {} m",
+    probability("probability_depth", "Probability, depth > {} m",
                 "Probability that the maximum depth, vertical, exceeds {} m");
-    probability("probability_velocity", "Probability of more than {} m/s",
+    probability("probability_velocity", "Probability, speed > {} m/s",
                 "Probability that the maximum speed exceeds {} m/s");
-    probability("probability_pressure", "Probability of more than {} kPa",
+    probability("probability_pressure", "Probability, pressure > {} kPa",
                 "Probability that the maximum dynamic pressure exceeds {} kPa");
-    probability("probability_intensity", "Probability of intensity class {} or higher",
+    probability("probability_intensity", "Probability, intensity class ≥ {}",
                 "Probability that the class of `hazard.scheme` is {} or higher");
     ResultRaster& depth = for_values("quantile_max_depth", "Maximum depth, {} % quantile",
                                      "Quantile {} % of the maximum depth, vertical", "m", "depth", k_progressive);
@@ -114,14 +114,13 @@ void add_study(Table& table) {
     sensitivity.with_study = true;
     sensitivity.bounds = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1};
     table.by("batch", "by `frana batch`");
-    of_all("union_max_depth", "Maximum depth of all sources", "Greatest depth that any source causes, vertical", "m",
+    of_all("union_max_depth", "Maximum depth, all sources", "Greatest depth that any source causes, vertical", "m",
            "depth", k_progressive, true);
-    of_all("union_max_velocity", "Maximum velocity of all sources", "Greatest speed that any source causes", "m/s",
+    of_all("union_max_velocity", "Maximum velocity, all sources", "Greatest speed that any source causes", "m/s",
            "velocity", k_even, true);
-    of_all("union_max_pressure", "Maximum dynamic pressure of all sources",
+    of_all("union_max_pressure", "Maximum dynamic pressure, all sources",
            "Greatest dynamic pressure that any source causes", "kPa", "velocity", k_progressive, true);
-    of_all("union_arrival_time", "Arrival time of the first source", "Earliest arrival from any source", "s", "time",
-           k_even);
+    of_all("union_arrival_time", "Arrival time, all sources", "Earliest arrival from any source", "s", "time", k_even);
     of_all(RasterName::worst_source, "Number of the worst source",
            "Number of the source that causes the greatest depth", "-", "", k_even);
 }

@@ -91,8 +91,6 @@ std::string title_in(const std::string& name, const Words& words) {
 
 namespace {
 
-const std::string k_required_with = "required with ";
-
 /// The meaning without the laws that use the key.
 std::string own_meaning(const Parameter& key) {
     const std::string laws = used_by(key.name());
@@ -127,19 +125,9 @@ std::string meaning_in(const Parameter& key, const Words& words) {
     return words(own) + " " + words("Used by {1}.", {choices_in(selectors_of(key.name()), words)});
 }
 
-std::string absent_in(const Parameter& key, const Words& words) {
-    if (!key.absent.starts_with(k_required_with)) return NumberPattern(key.absent).in(words);
-    const std::string what = key.absent.substr(k_required_with.size());
-    return words("required with {1}", {what == "solids" ? words("solids") : choices_in(what, words)});
-}
-
 std::vector<std::string> rows_of(const Parameter& key) {
     std::vector<std::string> rows{own_meaning(key)};
     if (const std::string title = title_of(key); title != key.key) rows.push_back(title);
-    const std::string absent = NumberPattern(key.absent).text;
-    const bool is_key = absent.find('.') != absent.npos && absent.find(' ') == absent.npos;  // another key's value
-    const bool has_words = !absent.empty() && absent != "{1}" && absent != "off" && !is_key;
-    if (has_words && !absent.starts_with(k_required_with)) rows.push_back(absent);
     return rows;
 }
 

@@ -29,10 +29,8 @@ std::string used_by(const std::string& key);
 
 /// Returns the key's meaning.
 std::string meaning_in(const Parameter& key, const Words& words);
-/// Returns the effect if the key is not given.
-std::string absent_in(const Parameter& key, const Words& words);
 
-/// Returns the texts of the catalogues that these two and the title need, in English.
+/// Returns the texts of the catalogues that it and the title need, in English.
 std::vector<std::string> rows_of(const Parameter& key);
 
 /// Returns whether a key matters for the numbers of a scene: it was given, or the scene's model, its laws and its other

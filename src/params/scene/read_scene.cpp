@@ -428,7 +428,7 @@ std::string reference_json(Language language) {
         if (!parameter.content.empty()) key["content"] = parameter.content;
         const std::string fixed = parameter.default_text();
         key["default"] = fixed.empty() ? Json() : Json(fixed);
-        if (fixed.empty()) key["when_absent"] = absent_in(parameter, words);
+        if (fixed.empty()) key["when_absent"] = language == Language::english ? parameter.absent : "";
         key["limits"] = parameter.limits;
         key["meaning"] = meaning_in(parameter, words);
         key["main"] = is_main_key(parameter.name());

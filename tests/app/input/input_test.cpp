@@ -66,7 +66,7 @@ TEST_F(Input, CheckPrintsThemAsOneTable) {
                                "Working grid",
                                "memory of a run: about"});
     // Half a cell is 2.5 m; the register states 4 m for Monte Mario.
-    expect_words(outcome.err, {"observed outline: its position is accurate to 4 m only", "half a cell is 2.5 m"});
+    expect_words(outcome.err, {"Observed outline: position ± 4 m", "half a cell is 2.5 m"});
     std::size_t tables = 0;
     for (std::size_t at = 0; (at = outcome.out.find("Extent (west", at)) != std::string::npos; ++at) ++tables;
     EXPECT_EQ(tables, 1U);
@@ -85,7 +85,7 @@ TEST_F(Input, TheLogStatesOperationsAndResampling) {
                                                      "accuracy 4 m", "perimeter transformed by:"});
     // Austria's system in Italy: no survey connects them there, and PROJ leaves the datum unchanged.
     expect_words(check({"terrain.crs=EPSG:31287"}).told(),
-                 {"DTM: the accuracy of its transformation is unknown", "Ballpark", "hundreds of metres"});
+                 {"DTM: transformation accuracy unknown", "Ballpark", "position may be wrong"});
     EXPECT_EQ(gis::read_result_raster(path("coarse/dtm.tif")).grid.cell_size, 10) << "the DTM really used is kept";
 }
 

@@ -294,8 +294,8 @@ TEST_F(MapSheet, ADifferenceIsCentredOnZeroAndOnTheGround) {
         {"--difference", "b", "--map", "max_depth", "--format", "tif", "--format", "svg", "--out", "sheet"}, "a");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const std::string svg = read_text(path("sheet/difference_max_depth.svg"));
-    for (const char* one : {"-0.2 \u2026 0.2", "&gt; 5", "&lt; -5", ">A: First<", ">B: Second<", "A minus B",
-                            "Difference: Maximum depth"})
+    for (const char* one :
+         {"-0.2 \u2026 0.2", "&gt; 5", "&lt; -5", ">A: First<", ">B: Second<", "A − B", "Difference: Maximum depth"})
         EXPECT_NE(svg.find(one), std::string::npos) << one;
     EXPECT_GT(placed(path("sheet/difference_max_depth.tif")).columns, 100);
     // A result minus itself is zero: one colour, that of the middle.

@@ -58,8 +58,7 @@ TEST(Warnings, ComeBackFromASummaryInAnyLanguage) {
     const Warnings warnings{
         {worded("{1} m3 ({2} %) left the computed ground: use a larger DTM", {numeral("1 234.5"), numeral("12")}), true,
          Point{600000, 5000000}},
-        worded("{1}: not before the end of the run",
-               {worded("release area {1} '{2}'", {std::string("2"), std::string("Süd\"")})}),
+        worded("not released before the end: {1}", {worded("E {1}, N {2}", {std::string("2"), std::string("Süd\"")})}),
         worded("without values"),
         std::string("a text of another program")};
     const Json summary{{"warning_values", json_of(warnings)}};
@@ -75,7 +74,7 @@ TEST(Warnings, ComeBackFromASummaryInAnyLanguage) {
     EXPECT_EQ(warning_line({warnings[3]}, german), "Warnung: a text of another program");
     EXPECT_EQ(warning_line(warnings, german, 76), "Warnung: summary.json");
     const std::string line = warning_line(warnings, german);
-    EXPECT_EQ(line.find("4 Warnungen, die erste: 1.234,5 m"), 0U) << line;
+    EXPECT_EQ(line.find("Warnung: 1/4: 1.234,5 m"), 0U) << line;
 }
 
 }  // namespace

@@ -368,7 +368,7 @@ TEST_F(Output, GreatestValuesHavePlaceAndTime) {
 
 TEST_F(Output, DoubtfulReleasesAreWarnings) {
     const auto warns = [&](const std::string& words) { return json_lists(text("summary.json"), "warnings", words); };
-    const std::string step = "release step of", stout = "m thick on average", few = "particles only",
+    const std::string step = "release step of", stout = "too thick for depth-averaging", few = "particles only",
                       energy = "energy error ";
     const auto energy_is_told = [&] {
         return warns(energy) == (json_number(text("summary.json"), "energy_error") > 0.05);

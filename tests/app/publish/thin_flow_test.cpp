@@ -41,7 +41,7 @@ TEST_F(ThinFlow, ReleasedInPartIsAWarningOfCheckAndRun) {
                                         "release.thickness=attribute:depth"};
     std::vector<std::string> check{"check", "scene.ini"}, run{"run", "scene.ini", "--out", "result"};
     for (auto* words : {&check, &run}) words->insert(words->end(), more.begin(), more.end());
-    const std::string told = "% of release thinner than numerics.minimum-depth = 0.01 m: lower it";
+    const std::string told = "% of flow thinner than numerics.minimum-depth = 0.01 m: lower it";
     for (const auto& words : {check, run}) {
         const Outcome outcome = frana(words);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -53,7 +53,7 @@ TEST_F(ThinFlow, ReleasedInPartIsAWarningOfCheckAndRun) {
 
 TEST_F(ThinFlow, ThatOutlinesDoNotShowIsAWarningOfCheckAndRun) {
     write_scene(k_numbers_only);
-    const std::string released = "100 % of release thinner than output.trace-threshold = 0.1 m",
+    const std::string released = "100 % of flow thinner than output.trace-threshold = 0.1 m",
                       flowed = "flow nowhere deeper than output.trace-threshold = 0.1 m (0.0";
     const auto call = [&](std::vector<std::string> words, const std::string& threshold) {
         for (const std::string& set :

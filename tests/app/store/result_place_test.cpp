@@ -223,7 +223,7 @@ TEST_F(Place, AnOlderResultThatCannotBeRemovedIsReported) {
     }
     const std::vector<std::string> told = texts_of(log.take_warnings());
     ASSERT_EQ(told.size(), 1U);
-    EXPECT_NE(told[0].find("what is left of it is in " + path("result.partial")), std::string::npos) << told[0];
+    EXPECT_NE(told[0].find("the rest is in " + path("result.partial")), std::string::npos) << told[0];
     for (const char* name : {"frames/depth_0000.tif", "manifest.json", "being_replaced.json"})
         EXPECT_TRUE(fs::exists(path(std::string("result.partial/") + name))) << name;
     app::remove_partial(path("result"), log);

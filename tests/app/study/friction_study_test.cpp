@@ -46,7 +46,7 @@ TEST_F(Ensemble, SaysWhoseFrictionAfterATableItShows) {
     }
     const std::string report = read_text(path("out/report.html"));
     EXPECT_NE(report.find("central scene"), std::string::npos);
-    EXPECT_NE(report.find("Between the runs it varies with: table-friction-factor, volume"), std::string::npos);
+    EXPECT_NE(report.find("Varied: table-friction-factor, volume"), std::string::npos);
     EXPECT_NE(report.find("RAMMS Avalanche, Voellmy friction of avalanches, return period 100 years"),
               std::string::npos);
     EXPECT_NE(read_text(path("out/inputs.json")).find("ramms-avalanche.ini"), std::string::npos);

@@ -16,22 +16,19 @@ TEST(Sentences, AreEnglishTextsAndShownInALanguageWithTheirNumbers) {
 }
 
 TEST(Sentences, ContainOthersAndKeepNamesAsTheyAre) {
-    const Sentence inner =
-        worded("the outline was repaired ({1}): area {2} before, {3} after, in its own units squared",
-               {std::string("Ring 1.5"), numeral("10.5"), numeral("9")});
-    const Sentence whole = worded("{1}: {2}", {worded("perimeter"), inner});
-    EXPECT_EQ(whole.text(),
-              "perimeter: the outline was repaired (Ring 1.5): area 10.5 before, 9 after, in its own units squared");
-    EXPECT_EQ(
-        whole.in(Words(Language::italian)),
-        "perimetro: il perimetro è stato riparato (Ring 1.5): area 10,5 prima, 9 dopo, nelle sue unità al quadrato");
+    const Sentence inner = worded("outline repaired ({1}): area {2} before, {3} after",
+                                  {std::string("Ring 1.5"), numeral("10.5"), numeral("9")});
+    const Sentence whole = worded("{1}: {2}", {worded("Release perimeter"), inner});
+    EXPECT_EQ(whole.text(), "Release perimeter: outline repaired (Ring 1.5): area 10.5 before, 9 after");
+    EXPECT_EQ(whole.in(Words(Language::italian)),
+              "Perimetro del distacco: contorno riparato (Ring 1.5): area 10,5 prima, 9 dopo");
     const std::string named_like_a_row = "zones", with_a_place = "a {1} b";
     EXPECT_EQ(Sentence(named_like_a_row).in(Words(Language::german)), "zones");
     EXPECT_EQ(worded("{1}: {2}", {with_a_place, named_like_a_row}).in(Words(Language::french)), "a {1} b\u202F: zones");
 }
 
 TEST(Sentences, KnowTheirFirstNumberInTheOrderOfTheirPlaces) {
-    const Sentence inner = worded("{1} in {2}", {numeral("1 234.5"), numeral("7")});
+    const Sentence inner = worded("E {1}, N {2}", {numeral("1 234.5"), numeral("7")});
     EXPECT_EQ(worded("{1}: {2}", {std::string("name 3"), inner}).first_number(), 1234.5);
     EXPECT_FALSE(worded("{1}: {2}", {std::string("3"), worded("zones")}).first_number());
 }
@@ -54,9 +51,9 @@ TEST(NumberPattern, TakesOutNumbersButNotDigitsOfWords) {
 }
 
 TEST(NumberPattern, IsPutIntoTheLanguageWithItsNumbers) {
-    const std::string english = "0.136, glass beads";
+    const std::string english = "95.5 % of the area";
     EXPECT_EQ(NumberPattern(english).in(Words()), english);
-    EXPECT_EQ(NumberPattern(english).in(Words(Language::german)), "0,136, Glaskugeln");
+    EXPECT_EQ(NumberPattern(english).in(Words(Language::german)), "95,5 % der Fläche");
     EXPECT_EQ(NumberPattern("12 300 marbles").in(Words(Language::italian)), "12.300 marbles") << "no row";
 }
 

@@ -9,9 +9,9 @@ namespace frana {
 namespace {
 
 TEST(Words, TextsOfARowAreInTheLanguageWithTheirValues) {
-    EXPECT_EQ(Words()("Drop {1} m", {"12"}), "Drop 12 m");
-    EXPECT_EQ(Words(Language::german)("Drop {1} m", {"12"}), "Fallhöhe 12 m");
-    EXPECT_EQ(Words(Language::french)("Area difference {1} %", {"3"}), "Différence de surface 3\u202F%");
+    EXPECT_EQ(Words()("Area deeper than {1} m", {"12"}), "Area deeper than 12 m");
+    EXPECT_EQ(Words(Language::german)("Area deeper than {1} m", {"12"}), "Fläche tiefer als 12 m");
+    EXPECT_EQ(Words(Language::french)("{1} % of the area", {"3"}), "3\u202F% de la surface");
     EXPECT_EQ(Words(Language::italian)("a user's own {9}", {"12"}), "a user's own {9}") << "no row: unchanged";
     EXPECT_EQ(Words(Language::italian)("a user's own {1}", {"{2}"}), "a user's own {2}") << "values are not patterns";
 }

@@ -41,7 +41,7 @@ TEST(InspectRaster, ReadsTheFilesProperties) {
     EXPECT_EQ(info.bounds.south, 5094985);
     EXPECT_TRUE(info.has_nodata);
     EXPECT_EQ(info.nodata, -9999);
-    EXPECT_EQ(info.vertical_unit, "metre");
+    EXPECT_EQ(info.vertical_unit, "m");
     EXPECT_FALSE(info.rotated);
     EXPECT_EQ(folder.names(), std::vector<std::string>{"dtm.tif"}) << "reading must leave no file behind";
 }

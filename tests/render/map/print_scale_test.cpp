@@ -96,8 +96,8 @@ TEST(PrintScale, AllPagesOfASeriesShareTheFrame) {
                            {2, "High intensity: depth > 1 m and speed > 1 m/s", {200, 30, 30}}};
         spec.legend_title = "Intensity, scheme swiss-debris-flow";
         spec.unit.clear();
-        spec.side_notes.insert(spec.side_notes.begin(),
-                               {"Intensity of one scenario, not a hazard level", "Medium intensity: 12 300 m\u00B2"});
+        spec.side_notes.insert(spec.side_notes.begin(), {"Intensity of one scenario, without its frequency",
+                                                         "Medium intensity: 12 300 m\u00B2"});
         draw_map(spec, &hazard);
         spec.categories.clear();
         spec.title = "The scene: Speed";

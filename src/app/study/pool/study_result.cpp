@@ -94,11 +94,9 @@ Warnings kinds_of_warnings(const std::vector<MemberResult>& runs, const Warnings
     Warnings sentences;
     for (const std::string& pattern : order) {
         const KindOfWarning& kind = kinds.at(pattern);
-        const Sentence some = count(kind.runs), all = count(runs.size()), member = count(kind.member);
-        sentences.push_back(
-            table.empty() ? worded("{1} of {2} runs warn, most of all member {3}: {4}", {some, all, member, kind.worst})
-                          : worded("{1} of {2} runs warn, most of all member {3} of {4}: {5}",
-                                   {some, all, member, table, kind.worst}));
+        const std::string member = std::to_string(kind.member) + (table.empty() ? "" : " (" + table + ")");
+        sentences.push_back(worded("{1} of {2} runs warn, most of all member {3}: {4}",
+                                   {count(kind.runs), count(runs.size()), member, kind.worst}));
     }
     return sentences;
 }

@@ -233,7 +233,7 @@ Table facts_table(const StudyInput& input, const CalibrationRuns& runs, const Ca
         if (const auto& check = result.scheme_checks[e])
             for (const auto& [name, value] : rows_of(*check))
                 table.row({worded("{1}: {2}", {input.spec().events[e].name, name}).in(words), value.in(words)});
-    table.row({words("Limitations"), words("These events and this model; a score is a fit, not a forecast")});
+    table.row({words("Limitations"), words("These events and this model; a fit, not a forecast")});
     return table;
 }
 

@@ -116,21 +116,15 @@ void judge(const StudyInput& input, const CalibrationRuns& runs, const Calibrati
         const bool is_stated = runs.events[e].pieces > 0;
         result.uncounted.push_back(is_stated ? uncounted(input, runs, e) : std::vector<std::string>{});
         if (const double factor = result.widening.emplace_back(model.widening(e)); factor > 1)
-            result.doubts.push_back(worded(
-                "{1}: the best run is {2} times as far from the survey as its stated error allows. The model errs "
-                "too, and the error is taken {2} times as great.",
-                {name, short_number(factor, 2)}));
+            result.doubts.push_back(worded("{1}: best run off by {2} times the survey's error: error raised",
+                                           {name, short_number(factor, 2)}));
         if (!(result.q2[e] >= k_least_q2))
-            result.doubts.push_back(worded(
-                "{1}: the emulator of the misfit predicts runs that it does not know with a Q2 of {2} only, less "
-                "than {3}. Do not rely on the intervals; raise study.samples or narrow [vary].",
-                {name, short_number(result.q2[e], 2), short_number(k_least_q2)}));
+            result.doubts.push_back(worded("{1}: emulator Q2 {2}, under {3}: raise study.samples or narrow [vary]",
+                                           {name, short_number(result.q2[e], 2), short_number(k_least_q2)}));
     }
     if (!runs.has_settled())
-        result.doubts.push_back(
-            worded("The intervals had not settled when study.samples ({1}) were run: twice in a row they must move by "
-                   "less than {2} % of the distributions. Raise study.samples.",
-                   {std::to_string(runs.size()), short_number(100 * k_settled)}));
+        result.doubts.push_back(worded("intervals not within {2} % after {1} members: raise study.samples",
+                                       {std::to_string(runs.size()), short_number(100 * k_settled)}));
 }
 
 }  // namespace
@@ -154,9 +148,7 @@ CalibrationResult calibration_result(const StudyInput& input, const CalibrationR
     result.indistinct = indistinct_pairs(result.after, sample.weights);
     result.sentences = sentences(result.posteriors, result.indistinct);
     if (troubles_of(runs.runs(), false).open > 0)
-        result.doubts.push_back(
-            worded("The scores of runs that were cut, held or left the ground are those of unfinished flows, and so "
-                   "is the posterior: raise time.end, or use a larger DTM"));
+        result.doubts.push_back(worded("scores are of unfinished flows: raise time.end or use a larger DTM"));
     judge(input, runs, model, result);
     for (Sentence& doubt : edge_doubts(result.posteriors)) result.doubts.push_back(std::move(doubt));
     if (const auto few = few_members(result.effective)) result.doubts.push_back(*few);

@@ -246,8 +246,7 @@ void warn_of_error(const StudyInput& input, const StudyResult& result, const Stu
     if (const auto& rare = facts.rare_place) {
         if (rare->hits < k_least_hits)
             log.warn(
-                worded("Only {1} of {2} members came to {3}: its probability and the interval may be far too low. "
-                       "Raise study.samples",
+                worded("{3}: only {1} of {2} members, probability too low: raise study.samples",
                        {std::to_string(rare->hits), std::to_string(result.finished_at.size()), rare->event.gauge}));
     }
     const auto& until = input.reading.study.until;

@@ -77,13 +77,11 @@ std::optional<render::Chart> sensitivity(const ChartData& data, const std::strin
             return std::any_of(figure.keys.begin(), figure.keys.end(), [](const auto& one) { return one.total; });
         });
     const bool by_effects = data.sensitivities.front().keys.front().effect.has_value();
-    render::Chart chart = chart_sheet(
-        source, title,
-        words(by_effects   ? worded("bar: mean change when the key alone moves by half of its distribution (mu* of "
-                                      "Morris), thin line: its interval of 95 %")
-              : by_indices ? worded("bar: fraction of the variance with other keys (total Sobol' index), circle: alone")
-                           : worded("bar: rank correlation with the figure, thin line: its interval of 95 %")),
-        "sensitivity.csv", std::min(k_most_panels, data.sensitivities.size()));
+    render::Chart chart = chart_sheet(source, title,
+                                      words(by_effects   ? worded("bar: mu* of Morris; line: 95 % interval")
+                                            : by_indices ? worded("bar: total Sobol' index; circle: first order")
+                                                         : worded("bar: rank correlation; line: 95 % interval")),
+                                      "sensitivity.csv", std::min(k_most_panels, data.sensitivities.size()));
     for (const FigureSensitivity& figure : data.sensitivities) {
         if (chart.panels.size() == k_most_panels) break;
         render::ChartPanel panel{

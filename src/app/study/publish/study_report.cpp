@@ -74,7 +74,7 @@ void add_areas(const StudyFacts& facts, const Words& words, Table& table) {
                     words("95 %: {1} to {2}",
                           {number.grouped(facts.half_reached_m2.low), number.grouped(facts.half_reached_m2.high)}) +
                     ")";
-        table.row({words("Area deeper than {1} m in {2} % of the runs or more [m²]",
+        table.row({words("Area deeper than {1} m in ≥ {2} % of runs [m²]",
                          {number(facts.reached_threshold), number.percent(fraction)}),
                    area});
     }
@@ -168,9 +168,7 @@ Document figures_table(const StudyResult& result, const Words& words) {
                    number.of_any_size(result.mean_of(f).value), quantile(0.05), quantile(0.5), quantile(0.95),
                    of_median});
     }
-    return Document()
-        .subheading(words("Values of the runs: mean, and what 5, 50 and 95 % of them do not exceed"))
-        .add(table);
+    return Document().subheading(words("Values of the runs: mean, 5, 50 and 95 % quantiles")).add(table);
 }
 
 Document degrees_table(const std::vector<HazardArea>& degrees, const Words& words) {
