@@ -70,7 +70,7 @@ TEST(ReportWords, AValueThatDivergesHasNoBar) {
     const std::string lines = estimate_lines(value_estimates(all)), verdict = accuracy_verdict(all);
     EXPECT_NE(lines.find(", not converged; diverging"), std::string::npos) << lines;
     EXPECT_EQ(lines.find("estimated error"), std::string::npos) << lines;
-    EXPECT_NE(verdict.find("Maximum depth (not converged)"), std::string::npos) << verdict;
+    EXPECT_NE(verdict.find("Maximum depth (not converging)"), std::string::npos) << verdict;
 }
 
 TEST(ReportWords, AnInputIsDescribedInTheLanguage) {
