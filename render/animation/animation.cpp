@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/animation/animation.h"
 
+#include <type_traits>
+
 #include "core/error.h"
 #include "render/canvas/furniture.h"
 #include "render/map/legend.h"
@@ -46,66 +48,38 @@ void check_values(const Dots& dots, const ColourScale& scale) {
 
 }  // namespace
 
-class MapAnimator::Page {
-  public:
-    explicit Page(const MapSpec& base) : page_(with_fixed_scale(base), true, ground_) {}
+template <class Spec>
+struct Animator<Spec>::Session {
+    static constexpr bool k_is_map = std::is_same_v<Spec, MapSpec>;
 
-    Image frame(const Raster& layer, const std::string& subtitle) {
-        check_values(layer, page_.scale());
-        return page_.draw(&layer, nullptr, subtitle).paint();
-    }
-    Image frame(const Dots& dots, const std::string& subtitle) {
-        check_values(dots, page_.scale());
-        return page_.draw(nullptr, &dots, subtitle).paint();
-    }
+    std::shared_ptr<std::conditional_t<k_is_map, const MapGround, ViewPlace>> ground;
+    std::conditional_t<k_is_map, MapPage, ViewSession> page;
 
-  private:
-    std::shared_ptr<const MapGround> ground_;
-    MapPage page_;
+    explicit Session(const Spec& base) : page(with_fixed_scale(base), true, ground) {}
 };
 
-MapAnimator::MapAnimator(const MapSpec& base) : page_(std::make_unique<Page>(base)) {}
-MapAnimator::~MapAnimator() = default;
-MapAnimator::MapAnimator(MapAnimator&&) noexcept = default;
-MapAnimator& MapAnimator::operator=(MapAnimator&&) noexcept = default;
+template <class Spec>
+Animator<Spec>::Animator(const Spec& base) : session_(std::make_unique<Session>(base)) {}
+template <class Spec>
+Animator<Spec>::~Animator() = default;
+template <class Spec>
+Animator<Spec>::Animator(Animator&&) noexcept = default;
+template <class Spec>
+Animator<Spec>& Animator<Spec>::operator=(Animator&&) noexcept = default;
 
-Image MapAnimator::frame(const Raster& layer, const std::string& subtitle) {
-    return page_->frame(layer, subtitle);
+template <class Spec>
+Image Animator<Spec>::frame(const Raster& layer, const std::string& subtitle) {
+    check_values(layer, session_->page.scale());
+    return session_->page.draw(&layer, nullptr, subtitle).paint();
 }
 
-Image MapAnimator::frame(const Dots& dots, const std::string& subtitle) {
-    return page_->frame(dots, subtitle);
+template <class Spec>
+Image Animator<Spec>::frame(const Dots& dots, const std::string& subtitle) {
+    check_values(dots, session_->page.scale());
+    return session_->page.draw(nullptr, &dots, subtitle).paint();
 }
 
-class ViewAnimator::Session {
-  public:
-    explicit Session(const ViewSpec& base) : session_(with_fixed_scale(base), true, place_) {}
-
-    Image frame(const Raster& layer, const std::string& subtitle) {
-        check_values(layer, session_.scale());
-        return session_.draw(&layer, nullptr, subtitle).paint();
-    }
-    Image frame(const Dots& dots, const std::string& subtitle) {
-        check_values(dots, session_.scale());
-        return session_.draw(nullptr, &dots, subtitle).paint();
-    }
-
-  private:
-    std::shared_ptr<ViewPlace> place_;
-    ViewSession session_;
-};
-
-ViewAnimator::ViewAnimator(const ViewSpec& base) : session_(std::make_unique<Session>(base)) {}
-ViewAnimator::~ViewAnimator() = default;
-ViewAnimator::ViewAnimator(ViewAnimator&&) noexcept = default;
-ViewAnimator& ViewAnimator::operator=(ViewAnimator&&) noexcept = default;
-
-Image ViewAnimator::frame(const Raster& layer, const std::string& subtitle) {
-    return session_->frame(layer, subtitle);
-}
-
-Image ViewAnimator::frame(const Dots& dots, const std::string& subtitle) {
-    return session_->frame(dots, subtitle);
-}
+template class Animator<MapSpec>;
+template class Animator<ViewSpec>;
 
 }  // namespace frana::render

@@ -15,14 +15,6 @@ std::string length_words(double metres, const Words& words) {
     return metres >= 1000 ? words.number(number(metres / 1000)) + " km" : words.number(number(metres)) + " m";
 }
 
-std::string foot_text(const std::vector<std::string>& parts) {
-    std::string all;
-    for (const std::string& part : parts) {
-        if (!part.empty()) all += (all.empty() ? "" : "  \u00B7  ") + part;
-    }
-    return all;
-}
-
 double bar_thickness(const PageStyle& style) {
     return std::max(5.0, style.length(10));
 }
@@ -112,7 +104,8 @@ TitleResult draw_titles(Sheet& sheet, const PageStyle& style, const std::string&
     return result;
 }
 
-Overlay late_subtitle(int width, int height, const PageStyle& style, const std::string& subtitle, Point at) {
+std::shared_ptr<const Overlay> late_subtitle(int width, int height, const PageStyle& style, const std::string& subtitle,
+                                             Point at) {
     Sheet sheet(width, height);
     const double room = width - 2 * style.margin;
     constexpr double k_least = 0.5, k_least_of_many = 0.75;
@@ -129,8 +122,15 @@ Overlay late_subtitle(int width, int height, const PageStyle& style, const std::
     return sheet.take();
 }
 
+std::string foot_line(const std::vector<std::string>& parts) {
+    std::string all;
+    for (const std::string& part : parts)
+        if (!part.empty()) all += (all.empty() ? "" : "  \u00B7  ") + part;
+    return all;
+}
+
 double foot_height(const Sheet& sheet, const PageStyle& style, const std::vector<std::string>& parts, double width) {
-    const std::vector<std::string> lines = sheet.wrapped(foot_text(parts), style.small, width);
+    const std::vector<std::string> lines = sheet.wrapped(foot_line(parts), style.small, width);
     if (lines.empty()) return 0;
     // Keeps the last line's descenders above the bottom.
     return 0.3 * style.small.size_px + Sheet::line_height(style.small) * static_cast<double>(lines.size() - 1) +
@@ -141,7 +141,7 @@ double draw_foot(Sheet& sheet, const PageStyle& style, const std::vector<std::st
                  double bottom, double width) {
     const double top = bottom - foot_height(sheet, style, parts, width);
     double y = top + style.gap / 2 + capital_height(style.small);
-    for (const std::string& line : sheet.wrapped(foot_text(parts), style.small, width)) {
+    for (const std::string& line : sheet.wrapped(foot_line(parts), style.small, width)) {
         sheet.text(line, {left, y}, style.small, Across::left, Upright::baseline);
         y += Sheet::line_height(style.small);
     }

@@ -40,12 +40,15 @@ TitleResult draw_titles(Sheet& sheet, const PageStyle& style, const std::string&
 
 /// Returns a drawing of a subtitle alone, at the place that draw_titles left free. Line ends separate its parts: those
 /// for which there is no room are left out, the last first.
-Overlay late_subtitle(int width, int height, const PageStyle& style, const std::string& subtitle, Point at);
+std::shared_ptr<const Overlay> late_subtitle(int width, int height, const PageStyle& style, const std::string& subtitle,
+                                             Point at);
 
 /// Returns a style with letters shrunk, to `least_fraction` at most, so that a text fits `width`.
 TextStyle shrunk_to_fit(const Lettering& lettering, const std::string& words, TextStyle style, double width,
                         double least_fraction);
 
+/// Returns the parts joined as at the foot of a page, without empty ones.
+std::string foot_line(const std::vector<std::string>& parts);
 /// Height of draw_foot's small print.
 double foot_height(const Sheet& sheet, const PageStyle& style, const std::vector<std::string>& parts, double width);
 /// Draws small print at the foot of the page, upwards from the bottom; returns the y of its upper edge.

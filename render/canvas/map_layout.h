@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,9 +53,7 @@ struct MapLayout {
     double scale_bar_metres = 0;
     double north_arrow_deg = 0;  ///< clockwise from straight up on the page
     PageBox north_arrow;
-    std::optional<PageBox> inset;  ///< inside of its frame, if there is one
-    Bounds inset_window;           ///< map coordinates shown in it
-    double font_px = 0;            ///< of ordinary labels
+    double font_px = 0;  ///< of ordinary labels
     std::vector<TextBox> texts;
     std::vector<LegendEntry> legend;
 };

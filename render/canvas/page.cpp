@@ -18,39 +18,15 @@
 
 namespace frana::render {
 
-void Overlay::rasterise() const {
-    if (content_->has_pixels) return;
-    Canvas canvas(content_->width, content_->height);
-    for (const Shape& one : content_->shapes) {
-        if (one.kind == Shape::Kind::area)
-            canvas.fill(one.points, one.style.colour, one.style.opacity);
-        else if (one.kind == Shape::Kind::frame)
-            canvas.frame({one.points[0].x, one.points[0].y, one.points[1].x, one.points[1].y}, one.style);
-        else
-            canvas.line(one.points, one.style, one.kind == Shape::Kind::ring);
-    }
-    content_->pixels = canvas.draw();
-    content_->has_pixels = true;
-}
-
-void Overlay::put(Image& page, int left, int top) const {
-    rasterise();
-    compose(page, content_->pixels, left, top);
-    for (const Text& text : content_->texts) blend(page, text.glyphs, text.style, left, top);
-}
-
-Sheet::Sheet(int width, int height) : content_(std::make_shared<Overlay::Content>()) {
-    content_->width = width;
-    content_->height = height;
-}
+Sheet::Sheet(int width, int height) : content_{width, height} {}
 
 void Sheet::line(std::span<const Point> points, const LineStyle& style, bool closed) {
-    content_->shapes.push_back(
+    content_.shapes.push_back(
         {closed ? Overlay::Shape::Kind::ring : Overlay::Shape::Kind::line, {points.begin(), points.end()}, style});
 }
 
 void Sheet::fill(std::span<const Point> corners, Rgb colour, double opacity) {
-    content_->shapes.push_back(
+    content_.shapes.push_back(
         {Overlay::Shape::Kind::area, {corners.begin(), corners.end()}, LineStyle{0, colour, opacity}});
 }
 
@@ -62,19 +38,13 @@ void Sheet::fill(const PageBox& box, Rgb colour, double opacity) {
 }
 
 void Sheet::frame(const PageBox& box, const LineStyle& style) {
-    content_->shapes.push_back({Overlay::Shape::Kind::frame, {{box.left, box.top}, {box.right, box.bottom}}, style});
+    content_.shapes.push_back({Overlay::Shape::Kind::frame, {{box.left, box.top}, {box.right, box.bottom}}, style});
 }
 
 void Sheet::text(const std::string& words, Point at, const TextStyle& style, Across across, Upright upright) {
-    content_->texts.push_back({words, at, style, across, upright, lettering_.set(words, at, style, across, upright)});
-    boxes_.push_back(text_box(words, content_->texts.back().glyphs, style));
-}
-
-Overlay Sheet::take() {
-    auto rest = std::make_shared<Overlay::Content>();
-    rest->width = content_->width;
-    rest->height = content_->height;
-    return Overlay(std::exchange(content_, std::move(rest)));
+    const TextLine line = lettering_.line(words, style);
+    content_.texts.push_back({words, line, line.origin(at, style, across, upright), style});
+    boxes_.push_back(lettering_.place(words, at, style, across, upright));
 }
 
 namespace {
@@ -97,6 +67,12 @@ bool belongs_to(const std::string& before, const std::string& word) {
 }
 
 }  // namespace
+
+void Sheet::append(Sheet other) {
+    content_.shapes.insert(content_.shapes.end(), other.content_.shapes.begin(), other.content_.shapes.end());
+    content_.texts.insert(content_.texts.end(), other.content_.texts.begin(), other.content_.texts.end());
+    boxes_.insert(boxes_.end(), other.boxes_.begin(), other.boxes_.end());
+}
 
 double Sheet::lines(const std::vector<std::string>& words, Point top, const TextStyle& style, Across across) {
     for (const std::string& line : words) {
@@ -169,12 +145,8 @@ double PageStyle::line(double at_full_size) const {
     return std::max(0.6, at_full_size * std::sqrt(scale));
 }
 
-void Page::put(std::shared_ptr<const Image> picture, int left, int top) {
-    parts_.push_back({left, top, std::move(picture), {}});
-}
-
-void Page::put(Image picture, int left, int top) {
-    put(std::make_shared<const Image>(std::move(picture)), left, top);
+void Page::put(std::shared_ptr<const Image> picture, int left, int top, double scale) {
+    parts_.push_back({left, top, std::move(picture), scale});
 }
 
 void Page::put(const Page& other, int left, int top) {
@@ -184,24 +156,6 @@ void Page::put(const Page& other, int left, int top) {
         parts_.push_back(std::move(part));
     }
 }
-
-Image Page::paint() const {
-    for (const Part& part : parts_)
-        if (!part.picture) part.drawing.rasterise();
-    Image page(width_, height_);
-    for (const Part& part : parts_) {
-        if (!part.picture) {
-            part.drawing.put(page, part.left, part.top);
-            continue;
-        }
-        for (int row = 0; row < part.picture->height; ++row)
-            std::copy_n(part.picture->pixel(0, row), 3 * static_cast<std::size_t>(part.picture->width),
-                        page.pixel(part.left, part.top + row));
-    }
-    return page;
-}
-
-// Pages as PDF and SVG: Cairo receives the shapes that Canvas turns into triangles.
 
 namespace {
 
@@ -222,92 +176,115 @@ std::string px(double value) {
     return shortest_text(std::round(100 * value) / 100 + 0.0);  // no "-0"
 }
 
+Surface pixels_of(int width, int height, cairo_format_t format) {
+    Surface pixels(cairo_image_surface_create(format, width, height), &cairo_surface_destroy);
+    check(cairo_surface_status(pixels.get()));
+    return pixels;
+}
+
+/// A row of pixels: red, green and blue from the third byte down.
+std::uint32_t* row_of(cairo_surface_t* pixels, int row) {
+    return reinterpret_cast<std::uint32_t*>(cairo_image_surface_get_data(pixels) +
+                                            static_cast<std::ptrdiff_t>(row) * cairo_image_surface_get_stride(pixels));
+}
+
+/// Copies a picture, as far as it is inside.
+void copy(const Image& image, cairo_surface_t* to, int left, int top) {
+    cairo_surface_flush(to);
+    const int width = std::min(image.width, cairo_image_surface_get_width(to) - left),
+              height = std::min(image.height, cairo_image_surface_get_height(to) - top);
+    for (int row = std::max(0, -top); row < height; ++row) {
+        std::uint32_t* pixel = row_of(to, top + row) + left;
+        const std::uint8_t* from = image.pixel(0, row);
+        for (int column = 0; column < width; ++column, from += 3)
+            if (left + column >= 0) pixel[column] = static_cast<std::uint32_t>(from[0] << 16 | from[1] << 8 | from[2]);
+    }
+    cairo_surface_mark_dirty(to);
+}
+
 class CairoPen {
   public:
-    explicit CairoPen(cairo_t* on) : on_(on) {
-        cairo_set_line_join(on_, CAIRO_LINE_JOIN_ROUND);
-        cairo_set_line_cap(on_, CAIRO_LINE_CAP_BUTT);
-    }
+    explicit CairoPen(cairo_t* on) : on_(on) { cairo_set_line_cap(on_, CAIRO_LINE_CAP_BUTT); }
 
     void draw(const Page& page) {
         for (const Page::Part& part : page.parts()) {
             cairo_save(on_);
             cairo_translate(on_, part.left, part.top);
-            if (part.picture) {
-                picture(*part.picture);
-            } else {
-                const Overlay::Content& drawing = part.drawing.content();
-                cairo_rectangle(on_, 0, 0, drawing.width, drawing.height);
-                cairo_clip(on_);
-                for (const Overlay::Shape& one : drawing.shapes) shape(one);
-                for (const Overlay::Text& one : drawing.texts) text(one);
-            }
+            if (part.picture)
+                picture(*part.picture, part.scale);
+            else
+                draw(*part.drawing);
             cairo_restore(on_);
         }
         check(cairo_status(on_));
+    }
+    void draw(const Overlay& drawing) {
+        if (drawing.pixels) {
+            cairo_set_source_surface(on_, drawing.pixels.get(), 0, 0);
+            cairo_paint(on_);
+            return;
+        }
+        cairo_rectangle(on_, 0, 0, drawing.width, drawing.height);
+        cairo_clip(on_);
+        for (const Overlay::Shape& one : drawing.shapes) shape(one);
+        for (const Overlay::Text& one : drawing.texts) text(one);
     }
     /// The texts drawn so far as SVG elements.
     [[nodiscard]] const std::string& words() const { return words_; }
 
   private:
     void shape(const Overlay::Shape& one) {
-        const bool is_frame = one.kind == Overlay::Shape::Kind::frame;
+        using Kind = Overlay::Shape::Kind;
         if (one.points.size() < 2) return;
-        if (is_frame)
+        if (one.kind == Kind::frame)
             cairo_rectangle(on_, one.points[0].x, one.points[0].y, one.points[1].x - one.points[0].x,
                             one.points[1].y - one.points[0].y);
         else
             for (const Point p : one.points) cairo_line_to(on_, p.x, p.y);
-        if (one.kind == Overlay::Shape::Kind::ring || one.kind == Overlay::Shape::Kind::area) cairo_close_path(on_);
-        if (one.kind == Overlay::Shape::Kind::area) {
+        if (one.kind == Kind::ring || one.kind == Kind::area) cairo_close_path(on_);
+        if (one.kind == Kind::area) {
             set_colour(one.style.colour, one.style.opacity);
             cairo_fill(on_);
             return;
         }
-        cairo_set_line_join(on_, is_frame ? CAIRO_LINE_JOIN_MITER : CAIRO_LINE_JOIN_ROUND);
+        cairo_set_line_join(on_, one.kind == Kind::frame ? CAIRO_LINE_JOIN_MITER : CAIRO_LINE_JOIN_ROUND);
         stroke(one.style);
     }
     void text(const Overlay::Text& one) {
-        const TextLine line(one.words, one.style);
-        const Point origin = line.origin(one.at, one.across, one.upright);
         if (one.style.halo_px > 0) {
             cairo_set_line_join(on_, CAIRO_LINE_JOIN_ROUND);
-            line.trace(on_, origin);
+            one.line.trace(on_, one.origin, one.style);
             stroke({2 * one.style.halo_px, one.style.halo});
         }
         set_colour(one.style.colour, 1);
-        line.show(on_, origin);
-        double x = origin.x, y = origin.y;
+        one.line.show(on_, one.origin, one.style);
+        double x = one.origin.x, y = one.origin.y;
         cairo_user_to_device(on_, &x, &y);
         words_ +=
             "<text" +
             attribute("transform", "translate(" + px(x) + ' ' + px(y) + ')' +
                                        (one.style.angle_deg == 0 ? "" : " rotate(" + px(-one.style.angle_deg) + ')')) +
-            attribute("font-size", std::to_string(one.style.size_px)) + attribute("textLength", px(line.ink().right)) +
-            '>' + escaped_markup(one.words) + "</text>\n";
+            attribute("font-size", std::to_string(one.style.size_px)) +
+            attribute("textLength", px(one.line.ink().right)) + '>' + escaped_markup(one.words) + "</text>\n";
     }
-    void picture(const Image& image) {
-        const Surface pixels(cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width, image.height),
-                             &cairo_surface_destroy);
-        check(cairo_surface_status(pixels.get()));
-        unsigned char* bytes = cairo_image_surface_get_data(pixels.get());
-        const int stride = cairo_image_surface_get_stride(pixels.get());
-        for (int row = 0; row < image.height; ++row) {
-            auto* to = reinterpret_cast<std::uint32_t*>(bytes + static_cast<std::ptrdiff_t>(row) * stride);
-            const std::uint8_t* from = image.pixel(0, row);
-            for (int column = 0; column < image.width; ++column, from += 3)
-                to[column] = static_cast<std::uint32_t>(from[0] << 16 | from[1] << 8 | from[2]);
+    void picture(const Image& image, double scale) {
+        cairo_surface_t* const page = cairo_get_target(on_);
+        if (scale == 1 && cairo_surface_get_type(page) == CAIRO_SURFACE_TYPE_IMAGE) {
+            double left = 0, top = 0;
+            cairo_user_to_device(on_, &left, &top);
+            return copy(image, page, static_cast<int>(left), static_cast<int>(top));
         }
-        cairo_surface_mark_dirty(pixels.get());
+        const Surface pixels = pixels_of(image.width, image.height, CAIRO_FORMAT_RGB24);
+        copy(image, pixels.get(), 0, 0);
+        cairo_scale(on_, scale, scale);
         cairo_set_source_surface(on_, pixels.get(), 0, 0);
-        // The cells of a raster have edges.
-        cairo_pattern_set_filter(cairo_get_source(on_), CAIRO_FILTER_NEAREST);
+        // The cells of a raster have edges; what shrinks is averaged.
+        cairo_pattern_set_filter(cairo_get_source(on_), scale < 1 ? CAIRO_FILTER_GOOD : CAIRO_FILTER_NEAREST);
         cairo_paint(on_);
     }
     void set_colour(Rgb colour, double opacity) {
         constexpr double k_full = 255;
-        cairo_set_source_rgba(on_, colour.r / k_full, colour.g / k_full, colour.b / k_full,
-                              opacity > k_opaque ? 1 : opacity);
+        cairo_set_source_rgba(on_, colour.r / k_full, colour.g / k_full, colour.b / k_full, opacity);
     }
     void stroke(const LineStyle& style) {
         set_colour(style.colour, style.opacity);
@@ -316,8 +293,6 @@ class CairoPen {
         cairo_stroke(on_);
     }
 
-    // Rims are drawn barely translucent for Canvas, which then omits their joints.
-    static constexpr double k_opaque = 0.99;
     cairo_t* on_;
     std::string words_;
 };
@@ -329,7 +304,52 @@ cairo_status_t append(void* to, const unsigned char* bytes, unsigned length) {
     return CAIRO_STATUS_SUCCESS;
 }
 
+template <class Drawn>
+void paint(const Drawn& drawn, cairo_surface_t* pixels) {
+    const Context on(cairo_create(pixels), &cairo_destroy);
+    CairoPen(on.get()).draw(drawn);
+    check(cairo_status(on.get()));
+    cairo_surface_flush(pixels);
+}
+
 }  // namespace
+
+std::shared_ptr<const Overlay> Sheet::take(bool keep_pixels) {
+    auto all = std::make_shared<Overlay>(std::exchange(content_, {content_.width, content_.height}));
+    if (keep_pixels) {
+        Surface pixels = pixels_of(all->width, all->height, CAIRO_FORMAT_ARGB32);
+        paint(*all, pixels.get());
+        all->pixels = std::move(pixels);
+    }
+    return all;
+}
+
+Image Page::paint() const {
+    // Those of a film's last page, for the next: fresh memory for each would cost a third more.
+    static thread_local Surface kept(nullptr, &cairo_surface_destroy);
+    constexpr std::int64_t k_most_kept = 4'000'000;
+    const bool fits = kept && cairo_image_surface_get_width(kept.get()) == width_ &&
+                      cairo_image_surface_get_height(kept.get()) == height_;
+    Surface pixels = fits ? std::move(kept) : pixels_of(width_, height_, CAIRO_FORMAT_RGB24);
+    for (int row = 0; row < height_; ++row) std::fill_n(row_of(pixels.get(), row), width_, 0xFFFFFFU);
+    cairo_surface_mark_dirty(pixels.get());
+    frana::render::paint(*this, pixels.get());
+    Image image;
+    image.width = width_;
+    image.height = height_;
+    image.rgb.resize(3 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+    for (int row = 0; row < height_; ++row) {
+        const std::uint32_t* from = row_of(pixels.get(), row);
+        std::uint8_t* to = image.pixel(0, row);
+        for (int column = 0; column < width_; ++column, to += 3) {
+            to[0] = static_cast<std::uint8_t>(from[column] >> 16);
+            to[1] = static_cast<std::uint8_t>(from[column] >> 8);
+            to[2] = static_cast<std::uint8_t>(from[column]);
+        }
+    }
+    if (static_cast<std::int64_t>(width_) * height_ <= k_most_kept) kept = std::move(pixels);
+    return image;
+}
 
 std::string page_pdf(const Page& page, double dots_per_inch, const std::string& title) {
     std::string bytes;

@@ -1,22 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "render/canvas/canvas.h"
+#include "core/geometry.h"
 #include "render/canvas/image.h"
 #include "render/canvas/lettering.h"
 
+using cairo_surface_t = struct _cairo_surface;
+
 namespace frana::render {
 
+struct LineStyle {
+    double width_px = 1;
+    Rgb colour{0, 0, 0};
+    double opacity = 1;
+    std::vector<double> dashes{};  ///< lengths of stroke, gap, stroke, gap... [px]; empty: solid
+};
+
 /// Lines and shapes as they were drawn, later ones over earlier ones, with texts over all of them, in pixels from the
-/// upper left corner. They become pixels when they are first put on a picture; a page that is written as vectors needs
-/// none. Copies share everything. Used by one thread at a time.
-class Overlay {
-  public:
+/// upper left corner.
+struct Overlay {
     struct Shape {
         enum class Kind { line, ring, area, frame };
         Kind kind;
@@ -25,31 +33,15 @@ class Overlay {
     };
     struct Text {
         std::string words;
-        Point at;
+        TextLine line;
+        Point origin;  ///< left end of the baseline, the corner of a pixel: letters are as sharp as elsewhere
         TextStyle style;
-        Across across;
-        Upright upright;
-        Glyphs glyphs;
-    };
-    struct Content {
-        int width = 0, height = 0;
-        std::vector<Shape> shapes;
-        std::vector<Text> texts;
-        mutable bool has_pixels = false;
-        mutable OverlayImage pixels;  ///< of the shapes
     };
 
-    Overlay() : content_(std::make_shared<Content>()) {}
-    explicit Overlay(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
-
-    [[nodiscard]] const Content& content() const noexcept { return *content_; }
-    /// Draws everything on a picture, moved to the right and down. Throws Error(environment) if VTK or OpenGL fails.
-    void put(Image& page, int left = 0, int top = 0) const;
-    /// Makes its pixels, which need most memory while they are made.
-    void rasterise() const;
-
-  private:
-    std::shared_ptr<const Content> content_;
+    int width = 0, height = 0;
+    std::vector<Shape> shapes{};
+    std::vector<Text> texts{};
+    std::shared_ptr<cairo_surface_t> pixels{};  ///< of all this, if kept
 };
 
 /// A page to draw on, in pixels from the upper left corner, which records what is drawn for every file format.
@@ -58,11 +50,14 @@ class Sheet {
     Sheet(int width, int height);
 
     void line(std::span<const Point> points, const LineStyle& style, bool closed = false);
-    /// A filled convex polygon.
+    /// A filled polygon.
     void fill(std::span<const Point> corners, Rgb colour, double opacity = 1);
     void fill(const PageBox& box, Rgb colour, double opacity = 1);
     void frame(const PageBox& box, const LineStyle& style);
     void text(const std::string& words, Point at, const TextStyle& style, Across across, Upright upright);
+
+    /// Adds what was drawn on another sheet, over what is on this one.
+    void append(Sheet other);
 
     /// Writes lines one below the other, from the capitals' top of the first; returns the y below the last.
     double lines(const std::vector<std::string>& words, Point top, const TextStyle& style, Across across);
@@ -75,12 +70,13 @@ class Sheet {
 
     /// The texts so far and the pixels that their ink covers.
     [[nodiscard]] const std::vector<TextBox>& texts() const noexcept { return boxes_; }
-    /// Returns everything; the sheet is empty then, but for the positions of its texts.
-    [[nodiscard]] Overlay take();
+    /// Returns everything; the sheet is empty then, but for the positions of its texts. `keep_pixels`: it will be put
+    /// on the pixels of many pages, a film's, and is drawn once.
+    [[nodiscard]] std::shared_ptr<const Overlay> take(bool keep_pixels = false);
 
   private:
     Lettering lettering_;
-    std::shared_ptr<Overlay::Content> content_;
+    Overlay content_;
     std::vector<TextBox> boxes_;
 };
 
@@ -112,22 +108,22 @@ inline constexpr Rgb k_ink{25, 28, 32};            ///< of letters and frames
 inline constexpr Rgb k_soft_ink{84, 90, 98};       ///< of less prominent parts
 inline constexpr Rgb k_no_terrain{236, 237, 238};  ///< inside the frame where there is no terrain
 
-/// A white page with pictures and drawings on it, later ones over earlier ones, from which any file format is made:
-/// pixels by VTK through OSMesa, or vectors, texts and pictures by Cairo as PDF or SVG. Copies share the content.
+/// A white page with pictures and drawings on it, later ones over earlier ones, which Cairo draws in any file format.
+/// Copies share the content.
 class Page {
   public:
-    /// One thing on it, moved by whole pixels from the upper left corner.
+    /// One thing on it, moved by whole pixels from the upper left corner: a picture or a drawing.
     struct Part {
         int left = 0, top = 0;
-        std::shared_ptr<const Image> picture;  ///< null: the drawing
-        Overlay drawing;
+        std::shared_ptr<const Image> picture{};
+        double scale = 1;  ///< of the picture's pixels
+        std::shared_ptr<const Overlay> drawing{};
     };
 
     Page(int width, int height) : width_(width), height_(height) {}
 
-    void put(std::shared_ptr<const Image> picture, int left, int top);
-    void put(Image picture, int left, int top);
-    void put(const Overlay& drawing) { parts_.push_back({0, 0, nullptr, drawing}); }
+    void put(std::shared_ptr<const Image> picture, int left, int top, double scale = 1);
+    void put(std::shared_ptr<const Overlay> drawing) { parts_.push_back({.drawing = std::move(drawing)}); }
     /// Puts another page, which must lie inside, with its upper left corner there.
     void put(const Page& other, int left, int top);
 
@@ -135,7 +131,7 @@ class Page {
     [[nodiscard]] int height() const noexcept { return height_; }
     [[nodiscard]] const std::vector<Part>& parts() const noexcept { return parts_; }
 
-    /// Draws it as pixels. Throws Error(environment) if VTK or OpenGL fails.
+    /// Draws it as pixels. Throws Error(environment) if Cairo fails.
     [[nodiscard]] Image paint() const;
 
   private:

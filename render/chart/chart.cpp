@@ -317,14 +317,20 @@ std::vector<Point> thinned(const std::vector<Point>& places) {
     return kept;
 }
 
+/// Each part of the line between its breaks is one area: parts of it side by side would show their joints.
 void fill_under(Sheet& sheet, const ChartSeries& series, const PanelAxes& axes) {
     constexpr double k_opacity = 0.3;
-    for (std::size_t i = 0; i + 1 < series.foot.size(); ++i) {
-        const Point a = series.points[i], b = series.points[i + 1];
-        if (!axes.has(a) || !axes.has(b)) continue;
-        sheet.fill(std::array<Point, 4>{{axes.page(a), axes.page(b), axes.page({b.x, series.foot[i + 1]}),
-                                         axes.page({a.x, series.foot[i]})}},
-                   series.colour, k_opacity);
+    std::vector<Point> area, foot;
+    for (std::size_t i = 0; i <= series.foot.size(); ++i) {
+        if (i < series.foot.size() && axes.has(series.points[i])) {
+            area.push_back(axes.page(series.points[i]));
+            foot.push_back(axes.page({series.points[i].x, series.foot[i]}));
+            continue;
+        }
+        area.insert(area.end(), foot.rbegin(), foot.rend());
+        if (area.size() > 2) sheet.fill(area, series.colour, k_opacity);
+        area.clear();
+        foot.clear();
     }
 }
 

@@ -144,6 +144,16 @@ const ColourClass* ColourScale::find(double value) const noexcept {
     return found;
 }
 
+bool has_values(const PictureSpec& spec) {
+    return (spec.layer != nullptr && data_bounds(*spec.layer).has_value()) ||
+           (spec.dots != nullptr && !spec.dots->dots.empty());
+}
+
+ColourScale scale_of(const PictureSpec& spec, bool for_frames) {
+    if (!has_values(spec) && !for_frames) return {};
+    return ColourScale({spec.palette, spec.maximum, spec.classes, spec.categories, spec.layer, for_frames, spec.words});
+}
+
 namespace {
 
 constexpr double k_inch = 0.0254;              // m

@@ -30,7 +30,7 @@ struct ValueRange {
 };
 ValueRange value_range(const Raster& raster);
 
-/// Input of a colour scale; members as in MapSpec.
+/// Input of a colour scale; members as in PictureSpec.
 struct ScaleRequest {
     std::string palette;
     std::optional<double> maximum;
@@ -64,6 +64,11 @@ class ColourScale {
     bool categorical_ = false;
     Words words_;
 };
+
+/// Whether a picture has anything to colour.
+bool has_values(const PictureSpec& spec);
+/// Returns the scale of a picture: of one without values none, unless rasters of other `frames` will follow.
+ColourScale scale_of(const PictureSpec& spec, bool for_frames);
 
 /// Metres of ground under a pixel of a page at 1 : n.
 double metres_per_pixel(double n, double dots_per_inch);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -11,7 +12,6 @@
 #include "core/geometry.h"
 #include "core/raster.h"
 #include "core/words/words.h"
-#include "render/canvas/canvas.h"
 #include "render/canvas/image.h"
 #include "render/canvas/lettering.h"
 #include "render/canvas/map_layout.h"
@@ -52,9 +52,9 @@ struct Dots {
     double width_m = 1;     ///< diameter on the ground; at least a pixel is drawn
 };
 
-/// Draws the background of a map: `width` x `height` pixels of the ground inside `window`, opacity 0 where there is
-/// nothing.
-using Background = std::function<OverlayImage(const Bounds& window, int width, int height)>;
+/// Returns the background of a map: `width` x `height` pixels of the ground inside `window`, row by row from the top.
+/// Of each red, green and blue, multiplied by the opacity that follows; 0 where there is nothing.
+using Background = std::function<std::vector<std::uint8_t>(const Bounds& window, int width, int height)>;
 
 /// One value of a class raster, e.g. 1 "hit".
 struct ClassLabel {
@@ -84,43 +84,46 @@ struct SeriesText {
     bool has_notes = true;           ///< room for notes and a time is left
 };
 
-/// Everything on a map. Rasters are borrowed and must outlive the call; all coordinates are in one CRS.
-struct MapSpec {
+/// What maps and views have in common. Rasters are borrowed and must outlive the call; all coordinates are in one CRS.
+struct PictureSpec {
     std::string title;
     std::string subtitle;
     std::string legend_title;         ///< "Maximum depth"
     std::string unit;                 ///< "m"; empty: none
     std::string attribution;          ///< small print at the foot
     std::string source;               ///< the same: file, band and time of the raster
-    const Raster* terrain = nullptr;  ///< hillshade and contour lines; may be absent
+    const Raster* terrain = nullptr;  ///< relief and contour lines; may be absent on a map
     const Raster* layer = nullptr;    ///< coloured cells; NaN is transparent; may be absent
-    /// Has values wherever a raster of the same series of maps has some: defines the window, and contours' labels avoid
-    /// it. May be absent: the layer itself.
+    /// Has values wherever a raster of the same series has some: defines the part of the terrain that is shown, and
+    /// contours' labels avoid it. May be absent: the layer itself.
     const Raster* extent = nullptr;
-    bool layer_frames_map = true;        ///< the layer's values must be visible, not the extent's alone
     const Dots* dots = nullptr;          ///< over the layer, in the same colours; may be absent
     std::string palette = "depth";       ///< name of a palette in core/colour.h
     std::optional<double> maximum;       ///< end of the colour scale; values above it get a separate open class
     std::vector<double> classes;         ///< rising bounds, first and last may be infinite; empty: up to the maximum
     std::vector<ClassLabel> categories;  ///< not empty: the raster's values are classes, exactly these
     std::vector<Outline> outlines;
-    std::vector<std::string> side_notes;  ///< lines of values beside the map, below the legend
+    std::vector<std::string> side_notes;  ///< lines of values beside the picture, below the legend
     double convergence_deg = 0;           ///< true north from grid north, clockwise positive
-    MapTurn turn{};                       ///< of the map on its page
     std::string crs_label;                ///< "EPSG:32632 (WGS 84 / UTM zone 32N)"
     int width = 1600;                     ///< pixels
     int height = 1200;
     int least_letters = k_least_letters;  ///< font size of the smallest [px]
+    Background background;                ///< replaces the relief; may be absent
+    Words words{};                        ///< of the furniture; the texts above are in its language already
+};
+
+/// Everything on a map.
+struct MapSpec : PictureSpec {
+    bool layer_frames_map = true;  ///< the layer's values must be visible, not the extent's alone
+    MapTurn turn{};                ///< of the map on its page
     Print print;
     TitleBlock block;
     std::optional<SeriesText> series;  ///< none: the page is arranged for its own texts alone
     std::optional<Bounds> window;      ///< must be visible; default: flow and outlines with a margin
     bool contours = true;
-    bool inset = false;     ///< a small map with the position of the window in the terrain, if there is room
-    Background background;  ///< replaces the relief; may be absent
     /// Longitude and latitude in degrees of a map point, for the labels on the upper and right side; may be absent.
     std::function<Point(Point)> longitude_latitude;
-    Words words{};  ///< of the furniture; the texts above are in its language already
 };
 
 /// Returns the turn with which the longer principal axis of the flow's cells lies level, or `upright`, none: whichever

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
+#include "core/module.h"
 #include "render/canvas/image.h"
 #include "render/canvas/page.h"
 #include "render/map/relief.h"
@@ -56,50 +58,97 @@ double ReliefTones::fit(std::vector<double>& values) {
     return std::clamp(std::log(k_middle_tone) / std::log(middle), 0.75, 2.5);
 }
 
-void paint_relief(Image& page, const MapFrame& frame, const Raster& terrain) {
-    const std::int64_t most_cells = 2 * static_cast<std::int64_t>(std::max(frame.width, frame.height));
-    const Raster part = raster_window(terrain, frame.ground_bounds(), most_cells);
-    if (part.grid.columns == 0) return;
+const VtkFunctions& vtk() {
+    static const auto& functions = module_table<VtkFunctions>("vtk");
+    return functions;
+}
+
+GroundTexture relief_texture(const Raster& terrain, const Bounds& window, std::int64_t most_cells) {
+    const Raster part = raster_window(terrain, window, most_cells);
+    GroundTexture texture{part.grid.bounds(),
+                          Image(static_cast<int>(part.grid.columns), static_cast<int>(part.grid.rows), k_no_terrain)};
+    if (part.grid.columns == 0) return texture;
     const Raster shade = hillshade(part);
     const ReliefTones tones(shade);
-    for (int row = 0; row < frame.height; ++row) {
-        for (int column = 0; column < frame.width; ++column) {
-            const double value = interpolated(shade, frame.ground(column, row));
-            if (std::isnan(value)) continue;
+    std::uint8_t* to = texture.image.rgb.data();
+    for (const double value : shade.values) {
+        if (!std::isnan(value)) {
             const Rgb colour = tones.colour(value);
-            std::uint8_t* p = page.pixel(frame.left + column, frame.top + row);
-            p[0] = colour.r;
-            p[1] = colour.g;
-            p[2] = colour.b;
+            to[0] = colour.r;
+            to[1] = colour.g;
+            to[2] = colour.b;
+        }
+        to += 3;
+    }
+    return texture;
+}
+
+void lay(Image& under, const std::vector<std::uint8_t>& picture, double lighter) {
+    const std::uint8_t* from = picture.data();
+    for (std::size_t i = 0; i < under.rgb.size(); i += 3, from += 4) {
+        for (std::size_t k = 0; k < 3; ++k) {  // colours are premultiplied by their opacity
+            const double through = under.rgb[i + k] * (255 - from[3]) / 255.0;
+            const double lit = from[k] + lighter * (from[3] - from[k]);
+            under.rgb[i + k] = static_cast<std::uint8_t>(std::lround(through + lit));
         }
     }
 }
 
-void paint_background(Image& page, const MapFrame& frame, const Background& background) {
-    const Bounds box = frame.ground_bounds();
-    const double metre = frame.metres_per_pixel();
-    const bool turned = frame.turn.deg != 0;
-    const int columns = turned ? static_cast<int>(std::ceil(box.width() / metre)) : frame.width,
-              rows = turned ? static_cast<int>(std::ceil(box.height() / metre)) : frame.height;
-    const OverlayImage picture =
-        background({box.west, box.north - rows * metre, box.west + columns * metre, box.north}, columns, rows);
-    constexpr double k_lighter = 0.18;  // of the way to white
-    for (int row = 0; row < frame.height; ++row) {
-        for (int column = 0; column < frame.width; ++column) {
-            const Point at = frame.ground(column, row);
-            const int x = turned ? std::clamp(static_cast<int>((at.x - box.west) / metre), 0, columns - 1) : column,
-                      y = turned ? std::clamp(static_cast<int>((box.north - at.y) / metre), 0, rows - 1) : row;
-            const std::uint8_t* from =
-                picture.rgba.data() +
-                4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x));
-            std::uint8_t* to = page.pixel(frame.left + column, frame.top + row);
-            for (int k = 0; k < 3; ++k) {  // colours are premultiplied by their opacity
-                const double under = to[k] * (255 - from[3]) / 255.0;
-                const double lit = from[k] + k_lighter * (from[3] - from[k]);
-                to[k] = static_cast<std::uint8_t>(std::lround(under + lit));
+Image draw_ground(const MapFrame& frame, const GroundTexture& texture) {
+    Image picture(frame.width, frame.height, k_no_terrain);
+    if (texture.image.width == 0) return picture;
+    // Pixels to the right and upwards.
+    const auto place = [&](Point map) {
+        const Point p = frame.turn.page(map);
+        return ScenePoint{(p.x - frame.window.west) / frame.window.width() * frame.width,
+                          (p.y - frame.window.north) / frame.window.height() * frame.height, 0};
+    };
+    std::vector<ScenePoint> places;
+    for (const Point corner : corners(texture.box)) places.push_back(place(corner));
+    return call_module([&] {
+        // The shaders of the last picture need not be compiled again.
+        static thread_local std::unique_ptr<TerrainScene> scene;
+        if (!scene) {
+            const SceneSurface rectangle{places, {0, 1, 2, 3}, 4, {255, 255, 255}, {0, 1, 1, 1, 1, 0, 0, 0}};
+            scene = vtk().terrain_scene({rectangle});
+            scene->set_background(k_no_terrain, k_no_terrain);
+        }
+        scene->move_points(places);
+        scene->set_texture(texture.image.width, texture.image.height, texture.image.rgb);
+        // In pieces, so that a large page needs no window of its size.
+        constexpr int k_piece = 1024;
+        for (int top = 0; top < frame.height; top += k_piece) {
+            for (int left = 0; left < frame.width; left += k_piece) {
+                const int width = std::min(k_piece, frame.width - left), height = std::min(k_piece, frame.height - top);
+                scene->start(width, height);
+                scene->look_down({left + width / 2.0, -(top + height / 2.0), 0}, height);
+                const std::vector<std::uint8_t> piece = scene->draw(1);
+                const std::size_t line = 3 * static_cast<std::size_t>(width);
+                for (int row = 0; row < height; ++row)
+                    std::copy_n(piece.data() + line * static_cast<std::size_t>(row), line,
+                                picture.pixel(left, top + row));
             }
         }
+        return picture;
+    });
+}
+
+Image ground_picture(const MapFrame& frame, const Raster* terrain, const Background& background) {
+    const Bounds box = frame.ground_bounds();
+    if (background) {
+        const double metre = frame.metres_per_pixel();
+        constexpr double k_rounding = 1e-6, k_lighter = 0.18;
+        Image image(static_cast<int>(std::ceil(box.width() / metre - k_rounding)),
+                    static_cast<int>(std::ceil(box.height() / metre - k_rounding)), k_no_terrain);
+        const Bounds shown{box.west, box.north - image.height * metre, box.west + image.width * metre, box.north};
+        lay(image, background(shown, image.width, image.height), k_lighter);
+        return draw_ground(frame, {shown, std::move(image)});
     }
+    if (terrain == nullptr) return Image(frame.width, frame.height, k_no_terrain);
+    // More than one cell for a pixel would not be seen, nor more than OpenGL takes.
+    constexpr int k_most_texels = 8192;
+    return draw_ground(frame,
+                       relief_texture(*terrain, box, std::min(2 * std::max(frame.width, frame.height), k_most_texels)));
 }
 
 void paint_dots(Image& page, const MapFrame& frame, const Dots& dots, const ColourScale& scale) {

@@ -9,6 +9,7 @@
 #include "render/canvas/map_layout.h"
 #include "render/map/legend.h"
 #include "render/map/map2d.h"
+#include "render/vtk/functions.h"
 
 namespace frana::render {
 
@@ -58,11 +59,29 @@ class ReliefTones {
     std::array<Rgb, k_steps + 1> tones_{};
 };
 
-/// Shaded relief of a terrain; pale grey where there is none.
-void paint_relief(Image& page, const MapFrame& frame, const Raster& terrain);
+/// Loads VTK and OSMesa when it is first called, which takes longer than the start of the program and what `check`
+/// does. Throws Error(environment) if that is not possible.
+const VtkFunctions& vtk();
 
-/// Paints a user's picture of the ground, slightly lighter so that lines and colours are visible on it.
-void paint_background(Image& page, const MapFrame& frame, const Background& background);
+/// Colours of the ground inside a box, north up.
+struct GroundTexture {
+    Bounds box;
+    Image image;
+};
+/// Shaded relief of the part of a terrain in a window (raster_window), a texel for each cell; pale grey where there is
+/// none. Without texels if window and terrain do not overlap.
+GroundTexture relief_texture(const Raster& terrain, const Bounds& window, std::int64_t most_cells);
+
+/// Lays a picture of the same size over an image (Background), its colours lighter by a fraction of the way to white.
+void lay(Image& under, const std::vector<std::uint8_t>& picture, double lighter);
+
+/// Draws a texture inside a frame by VTK through OSMesa, interpolated between texels; pale grey beside it. Throws
+/// Error(environment) if VTK or OpenGL fails.
+Image draw_ground(const MapFrame& frame, const GroundTexture& texture);
+
+/// The ground of a map without its raster: a user's picture, slightly lighter so that lines and colours are visible on
+/// it, else the relief; plain without either.
+Image ground_picture(const MapFrame& frame, const Raster* terrain, const Background& background);
 
 /// Paints cells in the pure colours of their classes, each pixel from the cell that contains its centre. The ground
 /// within the given number of pixels beside them is darkened: the edge of the palest class must be visible on bright

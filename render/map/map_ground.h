@@ -2,11 +2,11 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "render/canvas/page.h"
 #include "render/map/map2d.h"
 #include "render/map/map_body.h"
+#include "render/map/map_lines.h"
 
 namespace frana::render {
 
@@ -22,27 +22,18 @@ Bounds map_window(const MapSpec& spec, int width, int height);
 /// and its scale stay.
 void keep_to_ground(const MapSpec& spec, MapFrame& frame);
 
-/// The parts of a map below and above its raster that do not depend on it: relief or picture, contour lines, outlines,
-/// frame and coordinates. Drawing them is most of a map's work.
+/// The parts of a map that are the same for all rasters in one frame. Making them is most of a map's work.
 struct MapGround {
-    /// Parameters for which it was drawn.
-    int width = 0, height = 0;
-    double density = 1;
-    int least_letters = k_least_letters;
     MapFrame frame;
     const Raster* terrain = nullptr;
-    const Raster* kept_clear = nullptr;  ///< of contours' labels
-    std::vector<Outline> outlines;
-
-    Image face;     ///< the relief inside the frame
-    Overlay above;  ///< lines and texts, white outside the frame
-    std::vector<TextBox> texts;
-    double contour_interval = 0;  ///< [m]; 0: no contours
-    Language language = Language::english;
+    Image face;  ///< relief or picture inside the frame
+    Contours contours;
 };
 
-/// Returns `kept` if it was drawn for the same frame, terrain and outlines, else a new one, which is then kept.
-const MapGround& ground_for(const MapSpec& spec, const MapFrame& frame, double density,
-                            std::shared_ptr<const MapGround>& kept);
+/// Returns `kept` if it was made for the same frame and terrain, else a new one, which is then kept.
+const MapGround& ground_for(const MapSpec& spec, const MapFrame& frame, std::shared_ptr<const MapGround>& kept);
+
+/// Draws what is over a map's raster: contour lines, outlines, names, white outside the frame, coordinates.
+void draw_lines(Sheet& sheet, const PageStyle& style, const MapSpec& spec, const MapGround& ground);
 
 }  // namespace frana::render

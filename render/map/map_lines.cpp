@@ -137,33 +137,37 @@ class LabelPlaces {
 
 }  // namespace
 
-double draw_contours(Sheet& sheet, const PageStyle& style, const MapFrame& frame, const Raster& terrain,
-                     const Raster* layer, const std::vector<Outline>& outlines, const Words& words) {
+Contours find_contours(const MapFrame& frame, const Raster& terrain) {
     // Two pixels per cell: finer crossings cannot be distinguished on the page.
     const Raster part = raster_window(terrain, frame.ground_bounds(), std::max(frame.width, frame.height) / 2);
-    if (part.grid.columns < 2 || part.grid.rows < 2) return 0;
+    if (part.grid.columns < 2 || part.grid.rows < 2) return {};
     const ValueRange heights = value_range(part);
-    if (heights.empty() || heights.greatest - heights.least < 1e-6) return 0;
+    if (heights.empty() || heights.greatest - heights.least < 1e-6) return {};
     constexpr double k_wanted_lines = 32;
     const double interval = nice_step_above((heights.greatest - heights.least) / k_wanted_lines);
+    return {interval, contour_lines(part, interval)};
+}
 
-    std::vector<Contour> contours = contour_lines(part, interval);
+void draw_contours(Sheet& sheet, const PageStyle& style, const MapFrame& frame, const Contours& contours,
+                   const Raster* layer, const std::vector<Outline>& outlines, const Words& words) {
     const LineStyle thin{style.line(0.9), k_contour, 0.34, {}};
     const LineStyle strong{style.line(1.7), k_contour, 0.5, {}};
-    const auto is_index = [&](const Contour& c) { return std::lround(c.level / interval) % k_index_every == 0; };
-    for (Contour& contour : contours) {
+    const auto is_index = [&](const Contour& c) {
+        return std::lround(c.level / contours.interval) % k_index_every == 0;
+    };
+    std::vector<Contour> labelled;
+    for (Contour contour : contours.lines) {
         for (Point& p : contour.points) p = frame.page(p);
         sheet.line(contour.points, is_index(contour) ? strong : thin);
+        if (is_index(contour)) labelled.push_back(std::move(contour));
     }
     TextStyle label = style.small;
     label.colour = {60, 50, 38};
     label.halo_px = std::max(1.5, style.length(2.5));
     label.halo = {232, 231, 228};
     LabelPlaces places(style, frame, layer, outlines, sheet);
-    for (const Contour& contour : contours) {
-        if (is_index(contour)) places.put(contour.points, words.number(number(contour.level)), label, sheet);
-    }
-    return interval;
+    for (const Contour& contour : labelled)
+        places.put(contour.points, words.number(number(contour.level)), label, sheet);
 }
 
 void draw_outlines(Sheet& sheet, const PageStyle& style, const MapFrame& frame, const std::vector<Outline>& outlines) {
@@ -179,7 +183,7 @@ void draw_outlines(Sheet& sheet, const PageStyle& style, const MapFrame& frame, 
     for (const bool rim : {true, false}) {
         for (const Outline& outline : outlines) {
             const double width = style.line(outline.width_px);
-            const LineStyle line = rim ? LineStyle{width + 2 * style.line(1.3), {255, 255, 255}, 0.999, {}}
+            const LineStyle line = rim ? LineStyle{width + 2 * style.line(1.3), {255, 255, 255}}
                                        : LineStyle{width, outline.colour, 1, outline_dashes(outline, width)};
             for (const Polygon& polygon : outline.polygons) {
                 stroke(polygon.outer, line, true);

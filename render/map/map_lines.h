@@ -8,13 +8,22 @@
 #include "render/canvas/page.h"
 #include "render/map/map2d.h"
 #include "render/map/map_body.h"
+#include "render/map/relief.h"
 
 namespace frana::render {
 
-/// Draws contour lines of a terrain; every fifth one is stronger and labelled where it is straight and its label covers
-/// neither a value of `layer` nor an outline. Returns the interval in metres; 0 if there is nothing to draw.
-double draw_contours(Sheet& sheet, const PageStyle& style, const MapFrame& frame, const Raster& terrain,
-                     const Raster* layer, const std::vector<Outline>& outlines, const Words& words);
+/// Contour lines of a terrain in map coordinates.
+struct Contours {
+    double interval = 0;  ///< [m]; 0: there are none
+    std::vector<Contour> lines{};
+};
+/// Returns those in a frame, as many as can be distinguished.
+Contours find_contours(const MapFrame& frame, const Raster& terrain);
+
+/// Draws contour lines; every fifth one is stronger and labelled where it is straight and its label covers neither a
+/// value of `layer` (none: null) nor an outline.
+void draw_contours(Sheet& sheet, const PageStyle& style, const MapFrame& frame, const Contours& contours,
+                   const Raster* layer, const std::vector<Outline>& outlines, const Words& words);
 
 /// Draws outlines, each on a light rim to be visible on any colour.
 void draw_outlines(Sheet& sheet, const PageStyle& style, const MapFrame& frame, const std::vector<Outline>& outlines);

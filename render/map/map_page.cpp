@@ -19,47 +19,6 @@
 namespace frana::render {
 namespace {
 
-/// Returns the frame of a small map of all the terrain within the available room; none if the room is too small or the
-/// window shows nearly all of the terrain anyway.
-std::optional<MapFrame> inset_frame(const Bounds& terrain, const Bounds& window, const PageStyle& style,
-                                    const PageBox& room) {
-    constexpr double k_nearly_all = 0.7;  // a rectangle along the edge shows nothing
-    const double shown_width = std::min(window.east, terrain.east) - std::max(window.west, terrain.west);
-    const double shown_height = std::min(window.north, terrain.north) - std::max(window.south, terrain.south);
-    if (shown_width * shown_height > k_nearly_all * terrain.width() * terrain.height()) return std::nullopt;
-    const double metres_per_pixel =
-        std::max(terrain.width() / room.width(), terrain.height() / std::max(1.0, room.height()));
-    MapFrame inset;
-    inset.width = static_cast<int>(terrain.width() / metres_per_pixel);
-    inset.height = static_cast<int>(terrain.height() / metres_per_pixel);
-    const double least = 3.5 * style.label.size_px;
-    if (inset.width < least || inset.height < least) return std::nullopt;
-    inset.left = static_cast<int>(std::lround(room.left));
-    inset.top = static_cast<int>(room.top);
-    inset.window = {terrain.west, terrain.north - inset.height * terrain.width() / inset.width, terrain.east,
-                    terrain.north};  // square pixels
-    return inset;
-}
-
-/// Draws the relief of all the terrain, of the inset's size; its frame and the map's window as a rectangle in it go to
-/// the sheet.
-Image draw_inset(Sheet& sheet, const PageStyle& style, const MapFrame& inset, const Raster& terrain,
-                 const MapFrame& map) {
-    Image picture(inset.width, inset.height, k_no_terrain);
-    paint_relief(picture, inset.alone(), terrain);
-    const PageBox box = inset.box();
-    Polyline shown;
-    for (const Point corner : corners(map.window)) {
-        const Point p = inset.page(map.turn.map(corner));
-        shown.push_back({std::clamp(p.x, box.left, box.right), std::clamp(p.y, box.top, box.bottom)});
-    }
-    constexpr Rgb k_here{180, 0, 40};
-    sheet.line(shown, {style.line(2) + 2 * style.line(1.2), {255, 255, 255}, 1, {}}, true);
-    sheet.line(shown, {style.line(2), k_here, 1, {}}, true);
-    sheet.frame(box, {style.line(1.2), k_ink});
-    return picture;
-}
-
 constexpr double k_most_of_width = 0.45;  // for the logo
 constexpr double k_least_logo = 24;       // px
 
@@ -99,30 +58,6 @@ void draw_title_block(const BlockPlace& place, const PageStyle& style, Point cor
     TextStyle letters = style.small;
     letters.colour = k_ink;
     sheet.lines(place.lines, corner, letters, Across::left);
-}
-
-Image logo_picture(const Image& logo, int width, int height) {
-    Image small(width, height);
-    // Each pixel is the mean of what it covers; a logo that is enlarged keeps its pixels.
-    const auto covered = [](int pixel, int pixels, int of) {
-        const int from = static_cast<int>(static_cast<std::int64_t>(pixel) * of / pixels);
-        const int to = static_cast<int>((static_cast<std::int64_t>(pixel + 1) * of + pixels - 1) / pixels);
-        return std::pair(from, std::max(to, from + 1));
-    };
-    for (int row = 0; row < height; ++row) {
-        const auto [top, bottom] = covered(row, height, logo.height);
-        for (int column = 0; column < width; ++column) {
-            const auto [left, right] = covered(column, width, logo.width);
-            std::int64_t sum[3] = {0, 0, 0};
-            for (int y = top; y < bottom; ++y)
-                for (int x = left; x < right; ++x)
-                    for (int k = 0; k < 3; ++k) sum[k] += logo.pixel(x, y)[k];
-            const std::int64_t count = static_cast<std::int64_t>(bottom - top) * (right - left);
-            for (int k = 0; k < 3; ++k)
-                small.pixel(column, row)[k] = static_cast<std::uint8_t>((sum[k] + count / 2) / count);
-        }
-    }
-    return small;
 }
 
 namespace {
@@ -344,12 +279,7 @@ void check(const MapSpec& spec) {
 
 MapPage::MapPage(const MapSpec& spec, bool for_frames, std::shared_ptr<const MapGround>& ground) {
     check(spec);
-    const bool has_values = (spec.layer != nullptr && data_bounds(*spec.layer).has_value()) ||
-                            (spec.dots != nullptr && !spec.dots->dots.empty());
-    if (has_values || for_frames) {
-        scale_ = ColourScale(
-            {spec.palette, spec.maximum, spec.classes, spec.categories, spec.layer, for_frames, spec.words});
-    }
+    scale_ = scale_of(spec, for_frames);
     arrange(spec, for_frames, ground);
 }
 
@@ -409,44 +339,32 @@ double MapPage::place(const MapSpec& spec, const PagePlan& plan, bool for_frames
         lacking = legend_bottom + style.gap - arrow_top;
         if (lacking > 0) continue;
 
-        const MapGround& ground = ground_for(spec, frame_, plan.crowding.density, kept);
+        const MapGround& ground = ground_for(spec, frame_, kept);
         PageText text = own_text(spec, scale_);
-        text.foot[2] = contour_words(ground.contour_interval, spec.words);
+        text.foot[2] = contour_words(ground.contours.interval, spec.words);
         const std::vector<std::string> foot = plan.foot(spec, text);
         const double bottom = spec.height - plan.style.margin;
         lacking = plan.foot_top - (bottom - foot_height(sheet, plan.style, foot, inner));
         if (lacking > k_pixel_rounding) return lacking;
         ground_ = kept;
         draw_foot(sheet, plan.style, foot, plan.style.margin, bottom, inner);
-        furnish(spec, plan, style,
-                {plan.column.left, legend_bottom + style.gap, plan.column.right, arrow_top - style.gap}, sheet);
-        layout_.texts = sheet.texts();
-        layout_.texts.insert(layout_.texts.end(), ground.texts.begin(), ground.texts.end());
-        words_ = sheet.take();
+        furnish(spec, plan, style, sheet);
+        Sheet lines(spec.width, spec.height);
+        draw_lines(lines, PageStyle(spec.width, spec.height, plan.crowding.density, spec.least_letters), spec, ground);
+        lines.append(std::move(sheet));
+        layout_.texts = lines.texts();
+        above_ = lines.take(for_frames);
         return 0;
     }
     return lacking;
 }
 
-void MapPage::furnish(const MapSpec& spec, const PagePlan& plan, const PageStyle& style, const PageBox& free,
-                      Sheet& sheet) {
+void MapPage::furnish(const MapSpec& spec, const PagePlan& plan, const PageStyle& style, Sheet& sheet) {
     if (!plan.block.lines.empty() || plan.block.logo.width() > 0)
         layout_.title_block = {plan.column.left, plan.style.margin, plan.column.right,
                                plan.style.margin + plan.block.height};
     layout_.logo = plan.block.logo;
-    logo_ =
-        plan.block.logo.width() > 0
-            ? std::make_shared<const Image>(logo_picture(*spec.block.logo, static_cast<int>(plan.block.logo.width()),
-                                                         static_cast<int>(plan.block.logo.height())))
-            : nullptr;
-    std::optional<MapFrame> inset;
-    if (spec.inset && spec.terrain != nullptr)
-        inset = inset_frame(spec.terrain->grid.bounds(), frame_.ground_bounds(), style, free);
-    if (inset) {
-        inset_ = std::make_shared<const Image>(draw_inset(sheet, style, *inset, *spec.terrain, frame_));
-        layout_.inset = inset->box();
-        layout_.inset_window = inset->window;
-    }
+    logo_ = plan.block.logo.width() > 0 ? spec.block.logo : nullptr;
     if (!scale_.classes().empty() || (spec.layer == nullptr && spec.dots == nullptr)) return;
     TextStyle note = style.heading;
     note.halo_px = std::max(2.0, style.length(4));
@@ -462,11 +380,11 @@ Page MapPage::draw(const Raster* layer, const Dots* dots, const std::string& sub
     Image face = ground_->face;
     if (layer != nullptr) paint_cells(face, frame_.alone(), *layer, scale_, edge_px);
     if (dots != nullptr) paint_dots(face, frame_.alone(), *dots, scale_);
-    page.put(std::move(face), frame_.left, frame_.top);
-    page.put(ground_->above);
-    if (logo_) page.put(logo_, static_cast<int>(layout_.logo.left), static_cast<int>(layout_.logo.top));
-    if (layout_.inset) page.put(inset_, static_cast<int>(layout_.inset->left), static_cast<int>(layout_.inset->top));
-    page.put(words_);
+    page.put(std::make_shared<const Image>(std::move(face)), frame_.left, frame_.top);
+    page.put(above_);
+    if (logo_)
+        page.put(logo_, static_cast<int>(layout_.logo.left), static_cast<int>(layout_.logo.top),
+                 layout_.logo.width() / logo_->width);
     if (!subtitle.empty()) page.put(late_subtitle(page.width(), page.height(), style, subtitle, subtitle_at_));
     return page;
 }

@@ -29,11 +29,8 @@ struct BlockPlace {
 BlockPlace place_title_block(const TitleBlock& block, const PageStyle& style, const Sheet& sheet, Point corner,
                              double width, double most);
 
-/// Writes the lines; the caller puts the logo (logo_picture) on the page.
+/// Writes the lines; the caller puts the logo on the page.
 void draw_title_block(const BlockPlace& place, const PageStyle& style, Point corner, Sheet& sheet);
-
-/// Returns a logo in the given number of pixels, averaged.
-Image logo_picture(const Image& logo, int width, int height);
 
 /// The texts of a page that determine how much room its frame leaves.
 struct PageText {
@@ -98,16 +95,15 @@ class MapPage {
     void arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<const MapGround>& ground);
     /// Draws everything on a planned page; returns the height that is lacking [px], 0 if it fits.
     double place(const MapSpec& spec, const PagePlan& plan, bool for_frames, std::shared_ptr<const MapGround>& ground);
-    /// Logo, inset in the free part of the column, and the note on an empty map.
-    void furnish(const MapSpec& spec, const PagePlan& plan, const PageStyle& style, const PageBox& free, Sheet& sheet);
+    /// Logo, and the note on an empty map.
+    void furnish(const MapSpec& spec, const PagePlan& plan, const PageStyle& style, Sheet& sheet);
 
     ColourScale scale_;
     MapFrame frame_;
     MapLayout layout_;
     std::shared_ptr<const MapGround> ground_;
-    Overlay words_;                       ///< title, legend, scale, foot
-    std::shared_ptr<const Image> inset_;  ///< null: none
-    std::shared_ptr<const Image> logo_;   ///< null: none
+    std::shared_ptr<const Overlay> above_;  ///< everything over the picture, title, legend, scale, foot
+    std::shared_ptr<const Image> logo_;     ///< null: none
     Point subtitle_at_;
 };
 

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numbers>
-#include <unordered_map>
+
+#include "core/module.h"
+#include "render/canvas/furniture.h"
+#include "render/map/legend.h"
+#include "render/map/map_body.h"
 
 namespace frana::render {
 namespace {
@@ -22,7 +25,7 @@ constexpr std::array<Light, 4> k_lights{{{315, 42, 0.55}, {270, 45, 0.17}, {0, 4
 
 }  // namespace
 
-Raster hillshade(const Raster& terrain, double exaggeration) {
+Raster hillshade(const Raster& terrain) {
     const GridSpec& grid = terrain.grid;
     Raster shade(grid, k_no_data);
     struct Direction {
@@ -50,7 +53,7 @@ Raster hillshade(const Raster& terrain, double exaggeration) {
                 const bool has_before = !std::isnan(before), has_after = !std::isnan(after);
                 if (!has_before && !has_after) return 0.0;
                 const double length = grid.cell_size * ((has_before ? 1 : 0) + (has_after ? 1 : 0));
-                return exaggeration * ((has_after ? after : here) - (has_before ? before : here)) / length;
+                return ((has_after ? after : here) - (has_before ? before : here)) / length;
             };
             const double to_east = slope(row, column - 1, row, column + 1);
             const double to_north = slope(row + 1, column, row - 1, column);
@@ -65,125 +68,30 @@ Raster hillshade(const Raster& terrain, double exaggeration) {
     return shade;
 }
 
-namespace {
-
-using Edge = std::int64_t;  ///< between two neighbouring centres: 2 i towards the east, 2 i + 1 towards the south
-
-struct Segment {
-    Edge from, to;
-};
-
-/// Marching squares: the crossings of a level with the edges of the square of four centres whose upper left one is
-/// (row, column).
-class Squares {
-  public:
-    explicit Squares(const Raster& raster) : raster_(raster) {}
-
-    [[nodiscard]] std::array<double, 4> corners(std::int64_t row, std::int64_t column) const {
-        return {raster_.at(row, column), raster_.at(row, column + 1), raster_.at(row + 1, column + 1),
-                raster_.at(row + 1, column)};
-    }
-
-    void cross(std::int64_t row, std::int64_t column, double level, std::vector<Segment>& segments) const {
-        const std::array<double, 4> value = corners(row, column);
-        const std::array<Edge, 4> edge{east(row, column), south(row, column + 1), east(row + 1, column),
-                                       south(row, column)};
-        std::array<Edge, 4> crossed{};
-        std::size_t n_crossed = 0;
-        for (std::size_t k = 0; k < 4; ++k) {
-            if ((value[k] >= level) != (value[(k + 1) % 4] >= level)) crossed[n_crossed++] = edge[k];
-        }
-        if (n_crossed == 2) segments.push_back({crossed[0], crossed[1]});
-        if (n_crossed == 4) {  // a saddle: the mean decides which corners are connected
-            const bool high = (value[0] + value[1] + value[2] + value[3]) / 4 >= level;
-            const bool first_high = value[0] >= level;
-            const std::size_t shift = high == first_high ? 0 : 1;
-            // Corners 1 and 3 are cut off if corner 0 is connected to the middle: edges 0-1 and 2-3; otherwise 3-0 and
-            // 1-2.
-            segments.push_back({edge[shift == 0 ? 0 : 3], edge[shift == 0 ? 1 : 0]});
-            segments.push_back({edge[shift == 0 ? 2 : 1], edge[shift == 0 ? 3 : 2]});
-        }
-    }
-
-    [[nodiscard]] Point point(Edge edge, double level) const {
-        const std::int64_t cell = edge / 2, row = cell / raster_.grid.columns, column = cell % raster_.grid.columns;
-        const bool down = edge % 2 == 1;
-        const double a = raster_.at(row, column), b = down ? raster_.at(row + 1, column) : raster_.at(row, column + 1);
-        const double fraction = std::clamp((level - a) / (b - a), 0.0, 1.0) * raster_.grid.cell_size;
-        const Point centre = raster_.grid.cell_centre(row, column);
-        return down ? Point{centre.x, centre.y - fraction} : Point{centre.x + fraction, centre.y};
-    }
-
-  private:
-    [[nodiscard]] Edge east(std::int64_t row, std::int64_t column) const {
-        return 2 * (row * raster_.grid.columns + column);
-    }
-    [[nodiscard]] Edge south(std::int64_t row, std::int64_t column) const { return east(row, column) + 1; }
-
-    const Raster& raster_;
-};
-
-/// Joins segments that share an edge into runs as long as possible.
-std::vector<std::vector<Edge>> joined(const std::vector<Segment>& segments) {
-    std::unordered_map<Edge, std::array<std::int64_t, 2>> at;  // segments ending on each edge
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-        for (const Edge edge : {segments[i].from, segments[i].to}) {
-            auto& ends = at.try_emplace(edge, std::array<std::int64_t, 2>{-1, -1}).first->second;
-            ends[ends[0] < 0 ? 0 : 1] = static_cast<std::int64_t>(i);
-        }
-    }
-    std::vector<bool> used(segments.size(), false);
-    const auto walk = [&](std::size_t start, Edge from) {
-        std::vector<Edge> run{from};
-        auto segment = static_cast<std::int64_t>(start);
-        while (segment >= 0 && !used[static_cast<std::size_t>(segment)]) {
-            used[static_cast<std::size_t>(segment)] = true;
-            const Segment& s = segments[static_cast<std::size_t>(segment)];
-            run.push_back(s.from == run.back() ? s.to : s.from);
-            const auto& ends = at.at(run.back());
-            segment = ends[0] == segment ? ends[1] : ends[0];
-        }
-        return run;
-    };
-    std::vector<std::vector<Edge>> runs;
-    for (std::size_t i = 0; i < segments.size(); ++i) {  // open lines first, from their ends
-        if (used[i]) continue;
-        for (const Edge edge : {segments[i].from, segments[i].to}) {
-            if (!used[i] && at.at(edge)[1] < 0) runs.push_back(walk(i, edge));
-        }
-    }
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-        if (!used[i]) runs.push_back(walk(i, segments[i].from));
-    }
-    return runs;
-}
-
-}  // namespace
-
 std::vector<Contour> contour_lines(const Raster& raster, double interval) {
-    const Squares squares(raster);
-    std::map<std::int64_t, std::vector<Segment>> by_level;
-    for (std::int64_t row = 0; row + 1 < raster.grid.rows; ++row) {
-        for (std::int64_t column = 0; column + 1 < raster.grid.columns; ++column) {
-            const std::array<double, 4> corner = squares.corners(row, column);
-            if (std::any_of(corner.begin(), corner.end(), [](double v) { return std::isnan(v); })) continue;
-            const auto [low, high] = std::minmax_element(corner.begin(), corner.end());
-            const auto first = static_cast<std::int64_t>(std::floor(*low / interval)) + 1;
-            const auto last = static_cast<std::int64_t>(std::floor(*high / interval));
-            for (std::int64_t k = first; k <= last; ++k) {
-                squares.cross(row, column, static_cast<double>(k) * interval, by_level[k]);
-            }
-        }
-    }
+    const GridSpec& grid = raster.grid;
+    const ValueRange range = value_range(raster);
+    if (range.empty()) return {};
+    const std::vector<double> values(raster.values.begin(), raster.values.end());
+    const auto lines = call_module([&] {
+        return vtk().level_lines(values, static_cast<int>(grid.columns), static_cast<int>(grid.rows),
+                                 multiples(range.least, range.greatest, interval));
+    });
     std::vector<Contour> contours;
-    for (const auto& [k, segments] : by_level) {
-        const double level = static_cast<double>(k) * interval;
-        for (const std::vector<Edge>& run : joined(segments)) {
-            Contour contour{level, {}};
-            for (const Edge edge : run) contour.points.push_back(squares.point(edge, level));
-            contours.push_back(std::move(contour));
+    for (const std::vector<ScenePoint>& line : lines) {
+        bool goes_on = false;
+        for (const ScenePoint& p : line) {
+            if (std::isnan(p.x) || std::isnan(p.y)) {  // beside a gap
+                goes_on = false;
+                continue;
+            }
+            if (!goes_on) contours.push_back({p.z, {}});
+            goes_on = true;
+            contours.back().points.push_back(
+                {grid.west + (p.x + 0.5) * grid.cell_size, grid.north - (p.y + 0.5) * grid.cell_size});
         }
     }
+    std::erase_if(contours, [](const Contour& contour) { return contour.points.size() < 2; });
     return contours;
 }
 

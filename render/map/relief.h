@@ -9,9 +9,8 @@
 namespace frana::render {
 
 /// Returns shaded relief lit from several directions around the north-west, so that slopes parallel to the light remain
-/// visible: 0 dark to 1 bright on the terrain's own grid, NaN where the terrain has no value. `exaggeration` multiplies
-/// heights before shading.
-Raster hillshade(const Raster& terrain, double exaggeration = 1.0);
+/// visible: 0 dark to 1 bright on the terrain's own grid, NaN where the terrain has no value.
+Raster hillshade(const Raster& terrain);
 
 /// A line of equal value in map coordinates; closed if its last point is its first.
 struct Contour {
@@ -19,7 +18,8 @@ struct Contour {
     Polyline points;
 };
 
-/// Returns lines of equal value between cell centres at the multiples of `interval`, joined as far as possible.
+/// Returns lines of equal value between cell centres at the multiples of `interval`, found by VTK; a line that is not
+/// closed may be in parts. Throws Error(environment) if VTK is missing.
 std::vector<Contour> contour_lines(const Raster& raster, double interval);
 
 }  // namespace frana::render

@@ -21,37 +21,12 @@ struct Camera {
     double zoom = 1;            ///< 1: flow and surrounding terrain fill the picture; 2: twice as close
 };
 
-/// Everything in a perspective view; members as in MapSpec.
-struct ViewSpec {
-    std::string title;
-    std::string subtitle;
-    std::string legend_title;
-    std::string unit;
-    std::string attribution;
-    std::string source;
-    std::string palette = "depth";
-    std::optional<double> maximum;
-    std::vector<double> classes;
-    std::vector<ClassLabel> categories;
-    const Raster* terrain = nullptr;  ///< required
-    const Raster* layer = nullptr;    ///< draped over it; may be absent
-    /// Has values wherever a raster of the same series of views has some: defines the visible part of the terrain and
-    /// the camera. May be absent: the layer itself.
-    const Raster* extent = nullptr;
-    const Dots* dots = nullptr;         ///< may be absent
+/// Everything in a perspective view; the layer is draped over the terrain.
+struct ViewSpec : PictureSpec {
     const Raster* thickness = nullptr;  ///< raises the surface where it has values [m]; may be absent
-    std::vector<Outline> outlines;
-    std::vector<std::string> side_notes;
     double vertical_exaggeration = 1;
-    double convergence_deg = 0;
-    Background background;  ///< replaces the relief; may be absent
-    std::string crs_label;
-    int width = 1600;
-    int height = 1200;
-    int least_letters = k_least_letters;
     bool sky = true;               ///< behind the terrain; else white
     std::optional<Camera> camera;  ///< default: from the front of the flow, obliquely uphill
-    Words words{};
 };
 
 /// Places of the parts of a view.

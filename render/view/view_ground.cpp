@@ -133,39 +133,15 @@ ViewGround::ViewGround(const Raster& terrain, const Raster* layer, double exagge
     highest_ = exaggeration_ * (range.greatest - base_);
     lowest_ = 0;
 
-    const Raster detail = raster_window(terrain, part, k_texels);
-    const Raster shade = hillshade(detail);
-    const ReliefTones tones(shade);
-    const double cell =
-        std::min(detail.grid.cell_size, layer != nullptr ? layer->grid.cell_size : detail.grid.cell_size);
+    const GroundTexture detail = relief_texture(terrain, part, k_texels);
+    const double detail_cell = detail.box.width() / detail.image.width;
+    const double cell = layer != nullptr ? std::min(detail_cell, layer->grid.cell_size) : detail_cell;
     const double longer = std::max(box.width(), box.height());
     const double texel = std::max(cell / k_texels_per_cell, longer / static_cast<double>(k_texels));
-    texture_columns_ = std::max(2, static_cast<int>(box.width() / texel));
-    texture_rows_ = std::max(2, static_cast<int>(box.height() / texel));
-    relief_.reserve(3 * static_cast<std::size_t>(texture_columns_) * static_cast<std::size_t>(texture_rows_));
-    for (int row = 0; row < texture_rows_; ++row) {
-        for (int column = 0; column < texture_columns_; ++column) {
-            const Point map{box.west + (column + 0.5) * box.width() / texture_columns_,
-                            box.south + (row + 0.5) * box.height() / texture_rows_};
-            const double value = interpolated(shade, map);
-            const Rgb colour = std::isnan(value) ? k_no_terrain : tones.colour(value);
-            relief_.insert(relief_.end(), {colour.r, colour.g, colour.b});
-        }
-    }
-    if (background) lay(background(box, texture_columns_, texture_rows_));
-}
-
-void ViewGround::lay(const OverlayImage& picture) {
-    for (int row = 0; row < texture_rows_; ++row) {
-        const std::size_t to = static_cast<std::size_t>(texture_rows_ - 1 - row) *
-                               static_cast<std::size_t>(texture_columns_);  // the texture begins in the south
-        const std::size_t from = static_cast<std::size_t>(row) * static_cast<std::size_t>(texture_columns_);
-        for (std::size_t column = 0; column < static_cast<std::size_t>(texture_columns_); ++column) {
-            const std::uint8_t* ink = picture.rgba.data() + 4 * (from + column);
-            std::uint8_t* texel = relief_.data() + 3 * (to + column);
-            for (int k = 0; k < 3; ++k) texel[k] = static_cast<std::uint8_t>(ink[k] + texel[k] * (255 - ink[3]) / 255);
-        }
-    }
+    const int columns = std::max(2, static_cast<int>(box.width() / texel)),
+              rows = std::max(2, static_cast<int>(box.height() / texel));
+    relief_ = draw_ground({0, 0, columns, rows, box}, detail);
+    if (background) lay(relief_, background(box, columns, rows), 0);
 }
 
 ScenePoint ViewGround::scene(Point map, double above) const {
@@ -201,25 +177,23 @@ std::vector<ScenePoint> ViewGround::sample(const Raster* layer, std::int64_t mos
     return points;
 }
 
-std::vector<std::uint8_t> ViewGround::colours(const Raster* layer, const ColourScale& scale) const {
-    std::vector<std::uint8_t> bytes = relief_;
+Image ViewGround::colours(const Raster* layer, const ColourScale& scale) const {
+    Image image = relief_;
     const std::optional<Bounds> data = layer != nullptr ? data_bounds(*layer) : std::nullopt;
-    if (!data) return bytes;
+    if (!data) return image;
     const Bounds box = heights_.grid.bounds();
-    const double wide = box.width() / texture_columns_, high = box.height() / texture_rows_;
+    const double wide = box.width() / image.width, high = box.height() / image.height;
     const auto texel = [](double place, int count) {
         return static_cast<int>(std::clamp(std::floor(place), 0.0, static_cast<double>(count)));
     };
-    const int last_row = texel((data->north - box.south) / high + 1, texture_rows_);
-    const int last_column = texel((data->east - box.west) / wide + 1, texture_columns_);
-    for (int row = texel((data->south - box.south) / high, texture_rows_); row < last_row; ++row) {
-        for (int column = texel((data->west - box.west) / wide, texture_columns_); column < last_column; ++column) {
-            const Point map{box.west + (column + 0.5) * wide, box.south + (row + 0.5) * high};
+    const int last_row = texel((box.north - data->south) / high + 1, image.height);
+    const int last_column = texel((data->east - box.west) / wide + 1, image.width);
+    for (int row = texel((box.north - data->north) / high, image.height); row < last_row; ++row) {
+        for (int column = texel((data->west - box.west) / wide, image.width); column < last_column; ++column) {
+            const Point map{box.west + (column + 0.5) * wide, box.north - (row + 0.5) * high};
             const ColourClass* found = scale.find(cell_value(*layer, map));
             if (found == nullptr) continue;
-            std::uint8_t* p =
-                bytes.data() + 3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(texture_columns_) +
-                                    static_cast<std::size_t>(column));
+            std::uint8_t* p = image.pixel(column, row);
             // On dark relief the colour is darkened too, but less, to resemble that of the legend.
             constexpr double k_least_light = 0.88;
             const double light =
@@ -230,7 +204,7 @@ std::vector<std::uint8_t> ViewGround::colours(const Raster* layer, const ColourS
             p[2] = lit(found->colour.b);
         }
     }
-    return bytes;
+    return image;
 }
 
 }  // namespace frana::render

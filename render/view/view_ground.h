@@ -49,23 +49,17 @@ class ViewGround {
     /// Returns points of the raster's surface, at most about `most` of them; of the ground if there is no raster.
     [[nodiscard]] std::vector<ScenePoint> sample(const Raster* layer, std::int64_t most) const;
 
-    /// Returns the colours to drape over the ground, from the south-western corner eastwards, then northwards (VTK's
-    /// order); three bytes each: relief, and over it the raster's classes, slightly shaded so that the ground's shape
-    /// remains visible.
-    [[nodiscard]] std::vector<std::uint8_t> colours(const Raster* layer, const ColourScale& scale) const;
-    [[nodiscard]] int texture_columns() const noexcept { return texture_columns_; }
-    [[nodiscard]] int texture_rows() const noexcept { return texture_rows_; }
+    /// Returns the colours to drape over the ground, north up: relief, and over it the raster's classes, slightly
+    /// shaded so that the ground's shape remains visible.
+    [[nodiscard]] Image colours(const Raster* layer, const ColourScale& scale) const;
 
   private:
-    void lay(const OverlayImage& picture);
-
     Raster heights_;
     double exaggeration_ = 1;
     Point origin_;     ///< of the scene, in map coordinates
     double base_ = 0;  ///< height of the scene's origin [m]
     double lowest_ = 0, highest_ = 0;
-    int texture_columns_ = 1, texture_rows_ = 1;
-    std::vector<std::uint8_t> relief_;  ///< colours of the bare ground, texel by texel
+    Image relief_;  ///< colours of the bare ground
 };
 
 }  // namespace frana::render

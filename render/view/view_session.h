@@ -13,43 +13,15 @@
 
 namespace frana::render {
 
-/// The ground in perspective, drawn by the module of VTK: a mesh with a texture, walls where the terrain is cut off,
-/// lines on it.
-class ViewScene {
-  public:
-    ViewScene(const ViewGround& ground, int width, int height);
-
-    /// Starts another view of the same ground: its camera and size, no lines yet.
-    void start(const PlacedCamera& camera, int width, int height);
-    void set_camera(const PlacedCamera& camera);
-    /// Sets a blue sky, or plain white.
-    void set_sky(bool sky);
-    /// Sets the colours of the ground, as returned by ViewGround::colours.
-    void set_colours(const std::vector<std::uint8_t>& colours);
-    /// Raises the surface by a thickness where it has values; null: the bare ground.
-    void set_thickness(const Raster* thickness);
-    void add_line(const std::vector<ScenePoint>& points, double width_px, Rgb colour);
-
-    /// Replaces the particles; `width` in pixels.
-    void set_dots(const std::vector<ScenePoint>& places, const std::vector<Rgb>& colours, double width_px);
-
-    /// Throws Error(environment) if VTK or OpenGL fails.
-    [[nodiscard]] Image draw();
-
-  private:
-    const ViewGround& ground_;
-    int width_, height_;
-    std::unique_ptr<TerrainScene> scene_;
-};
-
-/// The terrain of a view with its mesh, shared by the rasters of one series.
+/// The terrain of a view, shared by the rasters of one series.
 struct ViewPlace {
     explicit ViewPlace(const ViewSpec& spec);
 
     const Raster *terrain, *extent;  ///< its input
     double exaggeration;
     ViewGround ground;
-    std::unique_ptr<ViewScene> scene;  ///< present once its picture's size is known
+    /// Drawn by VTK: a mesh with a texture, walls where the terrain is cut off, lines on it.
+    std::unique_ptr<TerrainScene> scene;
 };
 
 /// A view without its raster: terrain, camera, lines and texts made once, to receive one raster after another.
@@ -58,18 +30,31 @@ class ViewSession {
     /// `for_frames`: rasters other than the spec's will follow, each with its own subtitle. `place` is used if it fits,
     /// else replaced; until the session has drawn its last picture no other may use it.
     ViewSession(const ViewSpec& spec, bool for_frames, std::shared_ptr<ViewPlace>& place);
-    ~ViewSession();
 
     /// Draws the view with a raster and dots (none if null) and a subtitle; the latter only if the session was made for
-    /// frames.
+    /// frames. Throws Error(environment) if VTK or OpenGL fails.
     [[nodiscard]] Page draw(const Raster* layer, const Dots* dots, const std::string& subtitle);
 
-    [[nodiscard]] const ViewLayout& layout() const noexcept;
-    [[nodiscard]] const ColourScale& scale() const noexcept;
+    [[nodiscard]] const ViewLayout& layout() const noexcept { return layout_; }
+    [[nodiscard]] const ColourScale& scale() const noexcept { return scale_; }
 
   private:
-    class Scene;
-    std::unique_ptr<Scene> scene_;
+    void raise_over_ground(const std::vector<ScenePoint>& flow, double aspect);
+    void arrange(const ViewSpec& spec, bool for_frames, bool nothing_to_show);
+    void note_flow(const std::vector<ScenePoint>& flow, const PlacedCamera& camera);
+    void put_dots(const Dots& dots);
+    /// Lines over the ground, following it closely.
+    void add_outlines(const ViewSpec& spec);
+    void add_line(const Polyline& ring, bool is_ring, const Outline& outline, double width, const Raster* thickness);
+
+    std::shared_ptr<ViewPlace> place_;
+    const ViewGround& ground_;
+    ColourScale scale_;
+    double metres_per_pixel_ = 1;  ///< in the middle of the flow
+    ViewLayout layout_;
+    std::shared_ptr<const Overlay> above_;
+    Point subtitle_at_;
+    bool raise_by_value_;
 };
 
 }  // namespace frana::render

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <limits>
 
 #include "core/module.h"
 #include "render/vtk/functions.h"
@@ -9,7 +10,10 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkFlyingEdges2D.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -20,17 +24,20 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
+#include "vtkStripper.h"
 #include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
 
 namespace frana::render {
 namespace {
 
-/// Three samples per pixel, averaged: smooth edges with the memory of one picture.
+/// Places of samples around a pixel's middle.
 constexpr std::array<std::array<double, 2>, 3> k_samples{{{-1.0 / 3, 0}, {0, 1.0 / 3}, {1.0 / 3, -1.0 / 3}}};
 
+constexpr double k_full = 255;
+
 void colour(vtkActor& actor, Rgb c) {
-    actor.GetProperty()->SetColor(c.r / 255.0, c.g / 255.0, c.b / 255.0);
+    actor.GetProperty()->SetColor(c.r / k_full, c.g / k_full, c.b / k_full);
     actor.GetProperty()->LightingOff();
 }
 
@@ -45,7 +52,7 @@ vtkNew<vtkPoints> points_of(const std::vector<ScenePoint>& places) {
 /// The ground in perspective, drawn by VTK.
 class VtkScene : public TerrainScene {
   public:
-    VtkScene(const std::vector<SceneSurface>& surfaces, int width, int height) : window_(width, height) {
+    explicit VtkScene(const std::vector<SceneSurface>& surfaces) : window_(1, 1) {
         VtkErrors errors;
         texture_->InterpolateOn();
         // The samples per pixel smooth distant parts; smaller copies of the texture would cost as much again.
@@ -67,10 +74,10 @@ class VtkScene : public TerrainScene {
         window_.resize(width, height);
     }
 
-    void set_sky(bool sky) override {
-        renderer_->SetGradientBackground(sky);
-        renderer_->SetBackground(sky ? 0.97 : 1, sky ? 0.975 : 1, sky ? 0.98 : 1);
-        renderer_->SetBackground2(0.80, 0.88, 0.95);
+    void set_background(Rgb below, Rgb above) override {
+        renderer_->SetGradientBackground(!(below == above));
+        renderer_->SetBackground(below.r / k_full, below.g / k_full, below.b / k_full);
+        renderer_->SetBackground2(above.r / k_full, above.g / k_full, above.b / k_full);
     }
 
     void set_camera(const ScenePoint& position, const ScenePoint& target, double opening_deg) override {
@@ -79,6 +86,15 @@ class VtkScene : public TerrainScene {
         eye->SetFocalPoint(target.x, target.y, target.z);
         eye->SetViewUp(0, 0, 1);
         eye->SetViewAngle(opening_deg);
+    }
+
+    void look_down(const ScenePoint& middle, double height) override {
+        vtkCamera* eye = renderer_->GetActiveCamera();
+        eye->ParallelProjectionOn();
+        eye->SetPosition(middle.x, middle.y, middle.z + 1);
+        eye->SetFocalPoint(middle.x, middle.y, middle.z);
+        eye->SetViewUp(0, 1, 0);
+        eye->SetParallelScale(height / 2);
     }
 
     void set_texture(int columns, int rows, const std::vector<std::uint8_t>& rgb) override {
@@ -135,12 +151,13 @@ class VtkScene : public TerrainScene {
         if (!places.empty()) renderer_->AddActor(dots_);
     }
 
-    [[nodiscard]] std::vector<std::uint8_t> draw() override {
+    [[nodiscard]] std::vector<std::uint8_t> draw(std::size_t samples) override {
         renderer_->ResetCameraClippingRange();
         vtkCamera* eye = renderer_->GetActiveCamera();
         const int* size = window_.vtk().GetSize();
-        return window_.mean_picture(3, k_samples.size(), [&](std::size_t sample) {
-            eye->SetWindowCenter(2 * k_samples[sample][0] / size[0], 2 * k_samples[sample][1] / size[1]);
+        return window_.mean_picture(samples, [&](std::size_t sample) {
+            if (samples > 1)
+                eye->SetWindowCenter(2 * k_samples[sample][0] / size[0], 2 * k_samples[sample][1] / size[1]);
         });
     }
 
@@ -183,90 +200,50 @@ class VtkScene : public TerrainScene {
 };
 
 /// See VtkFunctions.
-std::unique_ptr<TerrainScene> terrain_scene(const std::vector<SceneSurface>& surfaces, int width, int height) {
-    return std::make_unique<VtkScene>(surfaces, width, height);
+std::unique_ptr<TerrainScene> terrain_scene(const std::vector<SceneSurface>& surfaces) {
+    return std::make_unique<VtkScene>(surfaces);
 }
 
-/// Sampling points of the page inside a pixel: each row and each column of an 8 x 8 grid once. Averaging these pictures
-/// smooths edges with the memory of a single one.
-constexpr std::array<std::array<double, 2>, 8> k_pixel_samples{{{-0.4375, -0.1875},
-                                                                {-0.3125, 0.3125},
-                                                                {-0.1875, -0.4375},
-                                                                {-0.0625, 0.0625},
-                                                                {0.0625, 0.4375},
-                                                                {0.1875, -0.3125},
-                                                                {0.3125, 0.1875},
-                                                                {0.4375, -0.0625}}};
-
-/// A window keeps eight bytes and more for each of its pixels: those of large pages are not kept.
-constexpr std::int64_t k_most_kept_pixels = 4'000'000;
-
-/// See VtkFunctions. Edges are smooth.
-std::vector<std::uint8_t> draw_triangles(const Triangles& triangles, const PixelWindow& part) {
+/// See VtkFunctions.
+std::vector<std::vector<ScenePoint>> level_lines(const std::vector<double>& values, int columns, int rows,
+                                                 const std::vector<double>& levels) {
     VtkErrors errors;
-    // The window of the last picture, whose shaders need not be compiled again.
-    static thread_local std::unique_ptr<OsmesaWindow> kept;
-    auto own = kept ? std::move(kept) : std::make_unique<OsmesaWindow>(part.width, part.height);
-    OsmesaWindow& window = *own;
-    window.resize(part.width, part.height);
-    const auto n_corners = static_cast<vtkIdType>(triangles.colours.size());
-    vtkNew<vtkFloatArray> positions;
-    positions->SetNumberOfComponents(3);
-    positions->SetNumberOfTuples(n_corners);
-    vtkNew<vtkUnsignedCharArray> shades;
-    shades->SetNumberOfComponents(4);
-    shades->SetNumberOfTuples(n_corners);
-    vtkNew<vtkCellArray> cells;
-    for (vtkIdType i = 0; i < n_corners; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        // Later triangles are nearer to the viewer, so that the depth test lets them cover earlier ones.
-        const vtkIdType triangle = i / 3;
-        const double height = 0.9 * static_cast<double>(triangle) / static_cast<double>(n_corners);
-        positions->SetTuple3(i, triangles.corners[2 * k], triangles.corners[2 * k + 1], height);
-        for (int band = 0; band < 4; ++band) {
-            shades->SetTypedComponent(
-                i, band, static_cast<unsigned char>(triangles.colours[k] >> (8U * static_cast<unsigned>(band))));
-        }
-        if (i % 3 == 0) cells->InsertNextCell({i, i + 1, i + 2});
+    vtkNew<vtkDoubleArray> scalars;
+    scalars->SetArray(const_cast<double*>(values.data()), static_cast<vtkIdType>(values.size()), 1);  // not owned
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(columns, rows, 1);
+    image->GetPointData()->SetScalars(scalars);
+    vtkNew<vtkFlyingEdges2D> edges;
+    edges->SetInputData(image);
+    edges->SetNumberOfContours(static_cast<int>(levels.size()));
+    for (std::size_t i = 0; i < levels.size(); ++i) edges->SetValue(static_cast<int>(i), levels[i]);
+    vtkNew<vtkStripper> joined;
+    joined->SetInputConnection(edges->GetOutputPort());
+    joined->SetMaximumLength(std::numeric_limits<int>::max());
+    joined->Update();
+    // An open line is found in two parts. To join them takes the square of their number.
+    constexpr vtkIdType k_many = 5000;
+    if (joined->GetOutput()->GetNumberOfLines() < k_many) {
+        joined->JoinContiguousSegmentsOn();
+        joined->Update();
     }
-    vtkNew<vtkPoints> points;
-    points->SetData(positions);
-    vtkNew<vtkPolyData> mesh;
-    mesh->SetPoints(points);
-    mesh->SetPolys(cells);
-    mesh->GetPointData()->SetScalars(shades);
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(mesh);
-    mapper->SetColorModeToDirectScalars();
-    mapper->SetScalarModeToUsePointData();
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    actor->GetProperty()->LightingOff();
-    actor->ForceOpaqueOn();  // drawn in order and blended; the translucent pass would blend regardless of order
-    vtkNew<vtkRenderer> renderer;
-    renderer->SetBackground(0, 0, 0);
-    renderer->SetBackgroundAlpha(0);
-    renderer->AddActor(actor);
-    window.vtk().AddRenderer(renderer);
-    vtkCamera* camera = renderer->GetActiveCamera();
-    camera->ParallelProjectionOn();
-    camera->SetParallelScale(part.height / 2.0);
-    camera->SetClippingRange(0.5, 1.05);
-
-    const double middle_x = part.left + part.width / 2.0, middle_y = part.bottom + part.height / 2.0;
-    auto picture = window.mean_picture(4, k_pixel_samples.size(), [&](std::size_t sample) {
-        const double x = middle_x + k_pixel_samples[sample][0], y = middle_y + k_pixel_samples[sample][1];
-        camera->SetFocalPoint(x, y, 0);
-        camera->SetPosition(x, y, 1);
-    });
-    window.vtk().RemoveRenderer(renderer);
-    errors.throw_if_any("a picture's lines could not be drawn");
-    if (static_cast<std::int64_t>(part.width) * part.height <= k_most_kept_pixels) kept = std::move(own);
-    return picture;
+    errors.throw_if_any("lines of equal height could not be drawn");
+    vtkPolyData* found = joined->GetOutput();
+    std::vector<std::vector<ScenePoint>> lines;
+    vtkNew<vtkIdList> line;
+    for (found->GetLines()->InitTraversal(); found->GetLines()->GetNextCell(line) != 0;) {
+        lines.emplace_back();
+        for (vtkIdType i = 0; i < line->GetNumberOfIds(); ++i) {
+            const vtkIdType id = line->GetId(i);
+            const double* p = found->GetPoint(id);
+            lines.back().push_back({p[0], p[1], found->GetPointData()->GetScalars()->GetComponent(id, 0)});
+        }
+    }
+    return lines;
 }
 
 }  // namespace
 }  // namespace frana::render
 
 FRANA_MODULE(frana::render::VtkFunctions,
-             {.draw_triangles = frana::render::draw_triangles, .terrain_scene = frana::render::terrain_scene})
+             {.level_lines = frana::render::level_lines, .terrain_scene = frana::render::terrain_scene})

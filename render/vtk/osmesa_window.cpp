@@ -224,21 +224,16 @@ void OsmesaWindow::render() {
     }
 }
 
-std::vector<std::uint8_t> OsmesaWindow::mean_picture(int bands, std::size_t samples,
-                                                     const std::function<void(std::size_t)>& aim) {
+std::vector<std::uint8_t> OsmesaWindow::mean_picture(std::size_t samples, const std::function<void(std::size_t)>& aim) {
     const int width = context_->window().GetSize()[0], height = context_->window().GetSize()[1];
-    const std::size_t line = static_cast<std::size_t>(bands) * static_cast<std::size_t>(width),
-                      size = line * static_cast<std::size_t>(height);
+    const std::size_t line = 3 * static_cast<std::size_t>(width), size = line * static_cast<std::size_t>(height);
     vtkNew<vtkUnsignedCharArray> bytes;  // for all samples: pages of memory cost more than their sums
     std::vector<std::uint16_t> sum(size);
     for (std::size_t sample = 0; sample < samples; ++sample) {
         aim(sample);
         render();
         VtkErrors errors;
-        if (bands == 3)
-            context_->window().GetPixelData(0, 0, width - 1, height - 1, 0, bytes, 0);
-        else
-            context_->window().GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, bytes, 0);
+        context_->window().GetPixelData(0, 0, width - 1, height - 1, 0, bytes, 0);
         errors.throw_if_any("the picture could not be read back");
         const unsigned char* const picture = bytes->GetPointer(0);
         for (std::size_t i = 0; i < size; ++i) sum[i] = static_cast<std::uint16_t>(sum[i] + picture[i]);

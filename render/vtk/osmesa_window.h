@@ -52,9 +52,8 @@ class OsmesaWindow {
     void render();
 
     /// Draws the scene once for each of some samples, before each of which `aim` is called with its number. Returns the
-    /// mean, row by row from the top: three bytes a pixel, or four with the opacity, by which the colours are
-    /// multiplied (as OpenGL blends over transparent black).
-    [[nodiscard]] std::vector<std::uint8_t> mean_picture(int bands, std::size_t samples,
+    /// mean, row by row from the top, three bytes a pixel.
+    [[nodiscard]] std::vector<std::uint8_t> mean_picture(std::size_t samples,
                                                          const std::function<void(std::size_t)>& aim);
 
   private:

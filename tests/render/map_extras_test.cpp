@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Continuous colours, the inset, places and lines, and a user's picture as background.
+// Places and lines, series of maps and views, and a user's picture as background.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,35 +15,6 @@ namespace frana::render {
 namespace {
 
 using test::pixel;
-
-TEST(Inset, ShowsAllTerrainWithTheWindowInItsPlace) {
-    const Raster ground = test::terrain(), layer = test::tongue();
-    const MapSpec spec = test::crowded_map(ground, layer, 1600, 1200);
-    MapLayout layout;
-    const Image map = draw_map(spec, &layout);
-    ASSERT_TRUE(layout.inset.has_value());
-    const double metre = layout.inset_window.width() / layout.inset->width();
-    EXPECT_NEAR(layout.inset->width() / layout.inset->height(),
-                ground.grid.bounds().width() / ground.grid.bounds().height(), 0.03);  // whole pixels
-    const auto red = [&](double x, double y) {
-        const Rgb c = map.colour(static_cast<int>(layout.inset->left + (x - layout.inset_window.west) / metre),
-                                 static_cast<int>(layout.inset->top + (layout.inset_window.north - y) / metre));
-        return c.r > 120 && c.g < 110;
-    };
-    const double y = (layout.window.south + layout.window.north) / 2;
-    EXPECT_TRUE(red(layout.window.west, y));
-    EXPECT_TRUE(red(layout.window.east, y));
-    EXPECT_FALSE(red((layout.window.west + layout.window.east) / 2, y));
-}
-
-TEST(Inset, IsLeftOutWhereTheMapShowsNearlyEverything) {
-    const Raster ground = test::terrain(), layer = test::tongue();
-    MapSpec spec = test::crowded_map(ground, layer, 1600, 1200);
-    spec.window = ground.grid.bounds();
-    MapLayout layout;
-    draw_map(spec, &layout);
-    EXPECT_FALSE(layout.inset.has_value());
-}
 
 TEST(Places, AreDrawnWithTheirNames) {
     const Raster ground = test::terrain(), layer = test::tongue();
@@ -73,14 +44,14 @@ TEST(Background, IsUnderTheMapInItsPlaceAndTheLayerOverIt) {
     spec.contours = false;
     // Green west of 527300, nothing north of 5094900, blue elsewhere.
     spec.background = [](const Bounds& window, int width, int height) {
-        OverlayImage picture{width, height, {}};
+        std::vector<std::uint8_t> picture;
         for (int row = 0; row < height; ++row) {
             for (int column = 0; column < width; ++column) {
                 const double x = window.west + (column + 0.5) * window.width() / width;
                 const double y = window.north - (row + 0.5) * window.height() / height;
                 const bool there = y < 5094900, west = x < 527300;
                 for (const int v : {0, there && west ? 200 : 0, there && !west ? 200 : 0, there ? 255 : 0})
-                    picture.rgba.push_back(static_cast<std::uint8_t>(v));
+                    picture.push_back(static_cast<std::uint8_t>(v));
             }
         }
         return picture;

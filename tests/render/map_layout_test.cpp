@@ -71,13 +71,6 @@ TEST_P(AtSize, MapsWithEverythingAreTidy) {
     for (const TextBox& text : layout.texts) {
         EXPECT_TRUE(text.box.inside(layout.map) || !text.box.overlaps(layout.map)) << text.text;
         EXPECT_FALSE(text.box.overlaps(layout.scale_bar)) << text.text;
-        EXPECT_FALSE(layout.inset && text.box.overlaps(*layout.inset)) << text.text;
-    }
-    if (layout.inset) {
-        EXPECT_TRUE(layout.inset->inside(layout.page));
-        EXPECT_FALSE(layout.inset->overlaps(layout.map));
-        EXPECT_FALSE(layout.inset->overlaps(layout.scale_bar));
-        EXPECT_FALSE(layout.inset->overlaps(layout.north_arrow));
     }
 }
 

@@ -75,7 +75,7 @@ inline Point degrees_at(Point map) {
     return {9.35 + x / 80e3 + y / 4e6, 46.0 + y / 110e3 - x / 5e6};
 }
 
-/// The same with places, lines, coordinates in degrees and an inset as well.
+/// The same with places, lines and coordinates in degrees as well.
 inline MapSpec crowded_map(const Raster& ground, const Raster& layer, int width, int height) {
     MapSpec spec = full_map(ground, layer, width, height);
     spec.source = "max_depth.tif, band 1";
@@ -85,7 +85,6 @@ inline MapSpec crowded_map(const Raster& ground, const Raster& layer, int width,
     sections.lines = {{{527450, 5094400}, {527760, 5094420}}};
     spec.outlines.push_back(gauges);
     spec.outlines.push_back(sections);
-    spec.inset = true;
     spec.longitude_latitude = degrees_at;
     spec.window = Bounds{527350, 5094150, 527850, 5094850};
     return spec;

@@ -36,7 +36,6 @@
 #include "params/keys/output_parameters.h"
 #include "params/keys/result_rasters.h"
 #include "params/scene/read_scene.h"
-#include "render/canvas/canvas.h"
 #include "render/chart/chart.h"
 #include "simulation/run_summary.h"
 #include "simulation/simulation.h"
@@ -482,7 +481,6 @@ int cmd_converge(const Arguments& arguments) {
     std::vector<Prepared> scenes;
     scenes.push_back(variants.read({}));
     const SceneSpec spec = scenes.front().spec;
-    render::vtk();  // for the chart: better missed before the runs than after them
     const fs::path folder =
         make_convergence_folder(text_option(*values, "out").value_or(convergence_directory(output_directory(spec))),
                                 values->count("overwrite") > 0, spec);

@@ -160,7 +160,7 @@ namespace {
 constexpr std::int64_t k_result_cell_bytes = 120;
 // Code and tables of the drawing libraries; drawn parts of a map and a view, which remain while more are drawn; relief
 // and mesh.
-constexpr std::int64_t k_picture_bytes = 98'000'000, k_map_pixel_bytes = 56, k_view_pixel_bytes = 34,
+constexpr std::int64_t k_picture_bytes = 98'000'000, k_map_pixel_bytes = 17, k_view_pixel_bytes = 34,
                        k_drawn_cell_bytes = 28;
 // The pictures that an encoder keeps in its look-ahead and look-back; a view's animation has two pictures in progress.
 constexpr std::int64_t k_animation_bytes = 10'000'000, k_animation_pixel_bytes = 15;

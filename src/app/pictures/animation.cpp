@@ -15,6 +15,7 @@
 #include "gis/raster/raster_in.h"
 #include "render/animation/animation.h"
 #include "render/animation/movie.h"
+#include "render/canvas/furniture.h"
 #include "render/canvas/image.h"
 
 namespace frana::app {
@@ -74,8 +75,8 @@ Spec animation_spec(const AnimationSource& animation, Size size, double seconds)
     spec.width = size.width;
     spec.height = size.height;
     // In place of the title block: the films' pages have no room beside the title.
-    spec.attribution =
-        foot_line({scenario_line(animation.source), spec.attribution, foot_line(block_lines(animation.source.style))});
+    spec.attribution = render::foot_line(
+        {scenario_line(animation.source), spec.attribution, render::foot_line(block_lines(animation.source.style))});
     if (const std::string words = pace_words(animation, seconds); !words.empty()) spec.side_notes.push_back(words);
     return spec;
 }

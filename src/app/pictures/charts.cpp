@@ -15,6 +15,7 @@
 #include "gis/access/table_in.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/result_rasters.h"
+#include "render/canvas/furniture.h"
 
 namespace frana::app {
 
@@ -25,8 +26,8 @@ render::Chart chart_sheet(const MapSource& source, const std::string& what, cons
     render::Chart chart;
     chart.title = page_title(source, what);
     chart.subtitle = note;
-    chart.long_subtitle = foot_line({note, scenario_line(source)});
-    chart.foot = foot_line(parts);
+    chart.long_subtitle = render::foot_line({note, scenario_line(source)});
+    chart.foot = render::foot_line(parts);
     chart.words = source.style.words;
     if (panels > 0) chart.across = panels == 1 ? 1 : panels <= 4 ? 2 : 3;
     return chart;

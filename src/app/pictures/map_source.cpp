@@ -122,7 +122,7 @@ Spec furnished(const MapSource& source, const MapLayer& layer) {
     if (!source.style.background.empty()) {
         spec.background = [path = source.style.background, crs = layer.values.grid.crs_wkt](const Bounds& box,
                                                                                             int width, int height) {
-            return render::OverlayImage{width, height, gis::warp_picture(path, crs, box, width, height)};
+            return gis::warp_picture(path, crs, box, width, height);
         };
     }
     return spec;
@@ -217,13 +217,6 @@ std::vector<std::string> block_lines(const MapStyle& style) {
     return lines;
 }
 
-std::string foot_line(const std::vector<std::string>& parts) {
-    std::string line;
-    for (const std::string& part : parts)
-        if (!part.empty()) line += (line.empty() ? "" : "  \u00B7  ") + part;
-    return line;
-}
-
 std::string page_title(const MapSource& source, const std::string& shown) {
     return source.style.words.labelled(own_title(source), shown);
 }
@@ -281,7 +274,6 @@ std::vector<std::string> map_notes(const MapFacts& facts, const Words& words) {
 
 render::MapSpec map_spec(const MapSource& source, const MapLayer& layer) {
     render::MapSpec spec = furnished<render::MapSpec>(source, layer);
-    spec.inset = true;
     if (layer.is_ground) {
         spec.layer_frames_map = source.extent.grid.columns == 0;
         if (!source.trace.empty())

@@ -82,8 +82,6 @@ std::string scenario_line(const MapSource& source);
 std::string sentences(const std::string& first, const std::string& second);
 /// Returns author and date, those that are known.
 std::vector<std::string> block_lines(const MapStyle& style);
-/// Returns the parts joined as at the foot of a page, without empty ones.
-std::string foot_line(const std::vector<std::string>& parts);
 
 /// Returns a page's title: the result's own title, shortened if long, and the quantity shown.
 std::string page_title(const MapSource& source, const std::string& shown);

@@ -21,7 +21,7 @@
 #include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
 #include "render/animation/movie.h"
-#include "render/canvas/canvas.h"
+#include "render/map/map_body.h"
 
 namespace frana::app {
 namespace {

@@ -27,7 +27,7 @@ TEST(MapAnimator, AFrameOfTheBaseIsTheMapItself) {
     const Image map = draw_map(spec, &layout);
     ASSERT_EQ(frame.rgb.size(), map.rgb.size());
     std::size_t different = 0;
-    for (std::size_t i = 0; i < map.rgb.size(); ++i) different += frame.rgb[i] != map.rgb[i] ? 1 : 0;
+    for (std::size_t i = 0; i < map.rgb.size(); ++i) different += std::abs(frame.rgb[i] - map.rgb[i]) > 2 ? 1 : 0;
     // The subtitle is drawn separately in a frame and with everything else in a map: only rounding of soft edges.
     EXPECT_LT(different, map.rgb.size() / 500);
 }
@@ -38,7 +38,10 @@ TEST(MapAnimator, AFrameOfTheBaseInGivenClassesIsTheMapItself) {
     MapSpec spec = test::full_map(ground, layer, 640, 480);
     spec.classes = {0, 2, 5, 10, 20, 50};
     MapAnimator animator(spec);
-    EXPECT_EQ(animator.frame(layer, spec.subtitle).rgb, draw_map(spec).rgb);
+    const Image frame = animator.frame(layer, spec.subtitle), map = draw_map(spec);
+    ASSERT_EQ(frame.rgb.size(), map.rgb.size());
+    // What is over all frames is drawn once, over nothing, and rounded to bytes twice.
+    for (std::size_t i = 0; i < map.rgb.size(); ++i) ASSERT_NEAR(frame.rgb[i], map.rgb[i], 2) << i;
 }
 
 TEST(MapAnimator, PartsOfASubtitleWithoutRoomAreLeftOut) {

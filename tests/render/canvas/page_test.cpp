@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <regex>
 #include <set>
 
+#include "core/error.h"
 #include "render/map/map2d.h"
 #include "scenes.h"
 
@@ -20,7 +22,7 @@ Page small_page() {
     style.halo_px = 2;
     sheet.text("Depth <5> m\u00b2", {10, 50}, style, Across::left, Upright::baseline);
     Page page(200, 100);
-    page.put(Image(30, 20, {10, 20, 250}), 60, 2);
+    page.put(std::make_shared<const Image>(30, 20, Rgb{10, 20, 250}), 60, 2);
     page.put(sheet.take());
     return page;
 }
@@ -44,6 +46,84 @@ TEST(Page, PartsAreWhereTheyWerePut) {
         for (int column = 0; column < 200; ++column)
             ASSERT_EQ(alone.colour(column, row), inside.colour(250 + column, 120 + row)) << column << ", " << row;
     EXPECT_EQ(inside.colour(75, 10), (Rgb{255, 255, 255}));
+}
+
+Image painted(Sheet& sheet, int width, int height) {
+    Page page(width, height);
+    page.put(sheet.take());
+    return page.paint();
+}
+
+TEST(Page, BoxesCoverTheirPixelsExactly) {
+    Sheet sheet(60, 40);
+    sheet.fill(PageBox{0, 0, 60, 40}, {10, 20, 30});
+    sheet.fill(PageBox{10, 5, 20, 12}, {200, 100, 50});
+    sheet.fill(PageBox{30.5, 5, 40, 12}, {255, 255, 255});
+    const Image page = painted(sheet, 60, 40);
+    for (int row = 0; row < 40; ++row)
+        for (int column = 0; column < 29; ++column) {
+            const bool inside = column >= 10 && column < 20 && row >= 5 && row < 12;
+            ASSERT_EQ(page.colour(column, row), inside ? (Rgb{200, 100, 50}) : (Rgb{10, 20, 30}))
+                << column << ", " << row;
+        }
+    EXPECT_NEAR(page.colour(30, 8).r, (10 + 255) / 2, 2) << "half covered, half inked";
+}
+
+TEST(Page, LinesHaveTheirWidthAndDashesTheirGaps) {
+    const std::vector<Point> line{{10, 20.3}, {90, 20.3}};
+    Sheet sheet(100, 40);
+    sheet.line(line, {4, {0, 0, 0}});
+    double width = 0;
+    const Image solid = painted(sheet, 100, 40);
+    for (int row = 0; row < 40; ++row) width += (255 - solid.colour(50, row).r) / 255.0;
+    EXPECT_NEAR(width, 4, 0.05);  // coverage is counted in parts of a byte
+    sheet.line(line, {4, {0, 0, 0}, 1, {10, 10}});
+    const Image broken = painted(sheet, 100, 40);
+    EXPECT_EQ(broken.colour(15, 20).r, 0);
+    EXPECT_EQ(broken.colour(25, 20).r, 255);
+    EXPECT_EQ(broken.colour(35, 20).r, 0);
+}
+
+TEST(Page, TranslucentInkMixesWithThePage) {
+    Sheet sheet(10, 10);
+    sheet.fill(PageBox{0, 0, 10, 10}, {200, 200, 200});
+    sheet.fill(PageBox{0, 0, 10, 10}, {0, 0, 0}, 0.5);
+    EXPECT_NEAR(painted(sheet, 10, 10).colour(5, 5).r, 100, 2);  // two roundings to bytes
+}
+
+// What is put on all pages of a film is drawn once, over nothing: rounded twice, else the same.
+TEST(Page, KeptPixelsAreThoseOfTheDrawing) {
+    const auto page = [](bool keep) {
+        Sheet sheet(200, 100);
+        sheet.fill(PageBox{20, 10, 150.5, 60}, {200, 30, 60}, 0.4);
+        sheet.text("Depth", {10, 80}, {20}, Across::left, Upright::baseline);
+        Page all(200, 100);
+        all.put(std::make_shared<const Image>(120, 90, Rgb{10, 160, 250}), 40, 5);
+        all.put(sheet.take(keep));
+        return all.paint();
+    };
+    const Image once = page(false), kept = page(true);
+    for (std::size_t i = 0; i < once.rgb.size(); ++i) ASSERT_NEAR(once.rgb[i], kept.rgb[i], 2) << i;
+}
+
+TEST(Page, PicturesKeepTheirPixelsAndShrinkToTheirMean) {
+    Image stripes(80, 80);
+    for (int row = 0; row < 80; ++row)
+        for (int column = 0; column < 80; column += 2)
+            for (int k = 0; k < 3; ++k) stripes.pixel(column, row)[k] = 0;
+    const auto picture = std::make_shared<const Image>(stripes);
+    Page page(100, 100);
+    page.put(picture, 10, 10);
+    EXPECT_EQ(page.paint().colour(10, 10), (Rgb{0, 0, 0}));
+    EXPECT_EQ(page.paint().colour(11, 10), (Rgb{255, 255, 255}));
+    Page small(100, 100);
+    small.put(picture, 10, 10, 0.25);
+    for (int column = 13; column < 27; ++column) EXPECT_NEAR(small.paint().colour(column, 20).r, 127, 20) << column;
+    EXPECT_EQ(small.paint().colour(31, 20), (Rgb{255, 255, 255}));
+}
+
+TEST(Page, SizesThatCairoCannotDrawAreRefused) {
+    EXPECT_THROW(static_cast<void>(Page(100000, 10).paint()), Error);
 }
 
 TEST(Page, PdfHasItsSizeAndTheSameBytesEveryTime) {

@@ -84,7 +84,7 @@ TEST(Contours, GapsInterruptAndPlanesGiveStraightLines) {
     plane.at(50, 40) = k_no_data;
     int pieces = 0;
     for (const Contour& contour : contour_lines(plane, 10)) {
-        for (const Point p : contour.points) EXPECT_NEAR(p.x, contour.level, 1e-9);
+        for (const Point p : contour.points) EXPECT_NEAR(p.x, contour.level, 1e-5);  // VTK has floats, of up to 100
         if (contour.level == 40) ++pieces;
     }
     EXPECT_EQ(pieces, 2);  // above and below the gap

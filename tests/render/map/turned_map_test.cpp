@@ -2,12 +2,14 @@
 // Maps turned on their page: where a place lies, where north is, what the coordinates beside the frame say.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 
 #include "render/map/legend.h"
 #include "render/map/map2d.h"
+#include "render/map/map_body.h"
 #include "scenes.h"
 
 namespace frana::render {
@@ -68,6 +70,94 @@ TEST(TurnedMap, NorthIsWhereTheArrowPoints) {
         EXPECT_NEAR(layout.map.left + (page.x - layout.window.west) / metre, first.x, 1) << deg;
         EXPECT_NEAR(layout.map.top + (layout.window.north - page.y) / metre, first.y, 1) << deg;
     }
+}
+
+// A wide frame, which is drawn in pieces.
+MapFrame frame_at(double deg) {
+    const MapTurn turn(deg);
+    const Point middle = turn.page({527600, 5094500});
+    return {0, 0, 1500, 300, {middle.x - 375, middle.y - 75, middle.x + 375, middle.y + 75}, turn};
+}
+
+TEST(TurnedMap, EachPixelHasTheClassOfTheCellUnderItsCentre) {
+    const ColourScale scale({"depth", std::nullopt, {0, 1, 2, 3, 4, 5, 6}, {}, nullptr, false, {}});
+    for (const double cell_size : {0.31, 1.0, 7.3}) {  // smaller and larger than a pixel, half a metre
+        Raster layer(GridSpec{527300, 5094330, cell_size, static_cast<std::int64_t>(600 / cell_size),
+                              static_cast<std::int64_t>(300 / cell_size), ""},
+                     k_no_data);
+        for (std::size_t i = 0; i < layer.values.size(); ++i)
+            if (const auto k = (i * 2654435761U >> 7) % 7; k < 6) layer.values[i] = static_cast<double>(k) + 0.5;
+        for (const double deg : {0.0, 33.0, -90.0, 171.5}) {
+            const MapFrame frame = frame_at(deg);
+            constexpr Rgb k_ground{200, 100, 50}, k_dark{80, 40, 20};
+            Image face(frame.width, frame.height, k_ground);
+            paint_cells(face, frame, layer, scale, 1);
+            for (int row = 0; row < frame.height; ++row)
+                for (int column = 0; column < frame.width; ++column) {
+                    const Point at =
+                        frame.turn.map({frame.window.west + (column + 0.5) / 2, frame.window.north - (row + 0.5) / 2});
+                    const double x = (at.x - layer.grid.west) / cell_size, y = (layer.grid.north - at.y) / cell_size;
+                    const bool inside = x >= 0 && y >= 0 && x < static_cast<double>(layer.grid.columns) &&
+                                        y < static_cast<double>(layer.grid.rows);
+                    const double value =
+                        inside ? layer.at(static_cast<std::int64_t>(y), static_cast<std::int64_t>(x)) : k_no_data;
+                    const Rgb colour = face.colour(column, row);
+                    if (std::isnan(value))
+                        ASSERT_TRUE(colour == k_ground || colour == k_dark) << column << ", " << row << " at " << deg;
+                    else
+                        ASSERT_EQ(colour, scale.find(value)->colour) << column << ", " << row << " at " << deg;
+                }
+        }
+    }
+}
+
+// Red grows to the east and green to the north, whatever the turn: what VTK draws lies where it belongs.
+TEST(TurnedMap, TheGroundIsDrawnInItsPlace) {
+    const Bounds box{527300, 5094300, 527900, 5094700};
+    const auto ramp = [&](Point map) {
+        return Rgb{static_cast<std::uint8_t>(std::lround(50 + (map.x - box.west) / 4)),
+                   static_cast<std::uint8_t>(std::lround(50 + (map.y - box.south) / 4)), 9};
+    };
+    GroundTexture texture{box, Image(300, 200)};  // of two metres
+    for (int row = 0; row < 200; ++row)
+        for (int column = 0; column < 300; ++column) {
+            const Rgb c = ramp({box.west + 2 * column + 1, box.north - 2 * row - 1});
+            std::uint8_t* p = texture.image.pixel(column, row);
+            p[0] = c.r, p[1] = c.g, p[2] = c.b;
+        }
+    for (const double deg : {0.0, 33.0, -90.0, 171.5}) {
+        const MapFrame frame = frame_at(deg);
+        const Image face = draw_ground(frame, texture);
+        int on = 0, off = 0;
+        for (int row = 0; row < frame.height; ++row)
+            for (int column = 0; column < frame.width; ++column) {
+                const Point at = frame.ground(column, row);
+                const Rgb colour = face.colour(column, row);
+                // Up to a pixel beside the texture's sides the pixel may be on either.
+                const double in = std::min({at.x - box.west, box.east - at.x, at.y - box.south, box.north - at.y});
+                if (in > 1) {
+                    ASSERT_TRUE(test::near(colour, ramp(at), 1)) << column << ", " << row << " at " << deg;
+                    ++on;
+                } else if (in < -0.5) {
+                    ASSERT_EQ(colour, k_no_terrain) << column << ", " << row << " at " << deg;
+                    ++off;
+                }
+            }
+        EXPECT_GT(on, 100000) << deg;
+        EXPECT_GT(off, 1000) << deg;
+    }
+}
+
+// At the resolution of the page a user's picture keeps its pixels: a scanned map stays legible.
+TEST(TurnedMap, ABackgroundThatIsNotTurnedKeepsItsPixels) {
+    const MapFrame frame = frame_at(0);
+    GroundTexture texture{frame.window, Image(frame.width, frame.height)};
+    for (std::size_t i = 0; i < texture.image.rgb.size(); ++i)
+        texture.image.rgb[i] = static_cast<std::uint8_t>(i * 2654435761U >> 13);
+    const Image face = draw_ground(frame, texture);
+    int far = 0;
+    for (std::size_t i = 0; i < face.rgb.size(); ++i) far += std::abs(face.rgb[i] - texture.image.rgb[i]) > 1;
+    EXPECT_EQ(far, 0);
 }
 
 TEST(TurnedMap, TurnAndItsInverseAgree) {

@@ -30,7 +30,7 @@ void paint(OsmesaWindow& window, double red, double green, double blue) {
 }
 
 std::vector<std::uint8_t> picture(OsmesaWindow& window) {
-    return window.mean_picture(3, 1, [](std::size_t) {});
+    return window.mean_picture(1, [](std::size_t) {});
 }
 
 Rgb colour(OsmesaWindow& window, std::size_t width, std::size_t column, std::size_t row) {

@@ -21,7 +21,6 @@
 #include "params/grammar/value_text.h"
 #include "params/keys/output_parameters.h"
 #include "params/scene/write_scene.h"
-#include "render/canvas/canvas.h"
 
 namespace frana::app::study {
 namespace {

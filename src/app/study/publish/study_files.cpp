@@ -33,7 +33,6 @@
 #include "params/keys/used_keys.h"
 #include "params/scene/write_scene.h"
 #include "render/animation/movie.h"
-#include "render/canvas/canvas.h"
 
 namespace frana::app::study {
 namespace {

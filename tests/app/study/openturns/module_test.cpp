@@ -165,8 +165,10 @@ TEST_F(WithoutDrawing, ARegionIsRefused) {
     expect_named_first({"batch", "region.ini", "--out", "out"}, "vtk.so");
 }
 
-TEST_F(WithoutDrawing, AConvergenceStudyIsRefused) {
-    expect_named_first({"converge", "scene.ini", "--out", "out"}, "vtk.so");
+TEST_F(WithoutDrawing, AChartIsDrawn) {
+    const Outcome outcome = copy({"converge", "scene.ini", "--out", "out"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(fs::exists(path("out/convergence.png")));
 }
 
 TEST_F(Modules, AMissingOneIsNamed) {
