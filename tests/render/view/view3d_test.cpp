@@ -86,7 +86,7 @@ TEST(View, GivenCameraAndExaggerationAreUsed) {
     EXPECT_EQ(layout.camera.azimuth_deg, 90);
     EXPECT_EQ(layout.north_arrow_deg, -90);
     EXPECT_TRUE(std::any_of(layout.texts.begin(), layout.texts.end(), [](const TextBox& text) {
-        return text.text.find("exaggerated 2") != std::string::npos || text.text.find("2 times") != std::string::npos;
+        return text.text.find("heights \u00d7 2") != std::string::npos;
     }));
 }
 
