@@ -12,7 +12,6 @@
 #include "core/files.h"
 #include "core/text.h"
 #include "gis/access/gdal_session.h"
-#include "gis/vector/exposed_in.h"
 #include "gis/vector/outline_check.h"
 
 namespace frana::gis {
@@ -192,16 +191,26 @@ std::optional<Shape> shape_of(const MixedShape& shape) {
     return std::nullopt;
 }
 
-std::unique_ptr<OGRGeometry> geometry_of(const MixedShape& mixed, Shape shape) {
-    if (shape == Shape::area) return to_ogr(mixed.areas);
-    if (shape == Shape::line) {
-        auto all = std::make_unique<OGRMultiLineString>();
-        for (const Polyline& one : mixed.lines) all->addGeometryDirectly(line_of(one).release());
-        return all;
+/// Of a single line or point, or of all of one kind.
+std::unique_ptr<OGRGeometry> geometry_of(const MixedShape& mixed, OGRwkbGeometryType type) {
+    switch (type) {
+        case wkbLineString:
+            return line_of(mixed.lines.at(0));
+        case wkbPoint:
+            return std::make_unique<OGRPoint>(mixed.points.at(0).x, mixed.points.at(0).y);
+        case wkbMultiLineString: {
+            auto all = std::make_unique<OGRMultiLineString>();
+            for (const Polyline& one : mixed.lines) all->addGeometryDirectly(line_of(one).release());
+            return all;
+        }
+        case wkbMultiPoint: {
+            auto all = std::make_unique<OGRMultiPoint>();
+            for (const Point& place : mixed.points) all->addGeometryDirectly(new OGRPoint(place.x, place.y));
+            return all;
+        }
+        default:
+            return to_ogr(mixed.areas);
     }
-    auto all = std::make_unique<OGRMultiPoint>();
-    for (const Point& place : mixed.points) all->addGeometryDirectly(new OGRPoint(place.x, place.y));
-    return all;
 }
 
 }  // namespace
@@ -216,14 +225,14 @@ void write_points(const std::string& gpkg_path, const std::string& crs_wkt, cons
     });
 }
 
-void write_exposed(const std::string& gpkg_path, const std::string& crs_wkt, const std::string& base,
-                   const std::vector<ExposedFeature>& features, const std::map<Shape, StyleText>& styles) {
+void write_mixed(const std::string& gpkg_path, const std::string& crs_wkt, const std::string& base,
+                 const std::vector<Feature>& features, const std::map<Shape, StyleText>& styles) {
     constexpr std::tuple<Shape, const char*, OGRwkbGeometryType> k_kinds[] = {
         {Shape::area, "_areas", wkbMultiPolygon},
         {Shape::line, "_lines", wkbMultiLineString},
         {Shape::point, "_points", wkbMultiPoint}};
     std::set<Shape> shapes;
-    for (const ExposedFeature& feature : features)
+    for (const Feature& feature : features)
         if (const auto shape = shape_of(feature.shape)) shapes.insert(*shape);
     if (shapes.empty()) shapes.insert(Shape::point);
     std::vector<RowLayer> layers;
@@ -232,9 +241,9 @@ void write_exposed(const std::string& gpkg_path, const std::string& crs_wkt, con
         const auto style = styles.find(shape);
         RowLayer& layer = layers.emplace_back(
             RowLayer{base + ending, type, nullptr, {}, style == styles.end() ? StyleText{} : style->second});
-        for (const ExposedFeature& feature : features)
+        for (const Feature& feature : features)
             if (shape_of(feature.shape).value_or(*shapes.begin()) == shape)
-                layer.rows.push_back({feature.shape.empty() ? nullptr : geometry_of(feature.shape, shape), 0,
+                layer.rows.push_back({feature.shape.empty() ? nullptr : geometry_of(feature.shape, type), 0,
                                       &feature.numbers, &feature.texts});
     }
     write_layers(gpkg_path, crs_wkt, std::move(layers));
@@ -252,19 +261,18 @@ void write_outlines(const std::string& gpkg_path, const std::string& crs_wkt, co
 }
 
 void write_lines_and_points(const std::string& gpkg_path, const std::string& crs_wkt,
-                            const std::vector<LineLayer>& lines, const std::vector<PointLayer>& points) {
+                            const std::vector<ShapeLayer>& layers) {
     std::vector<RowLayer> all;
-    for (const LineLayer& layer : lines) {
-        RowLayer& made = all.emplace_back(RowLayer{
-            layer.name, wkbLineString, "length_m", {}, style_or_default(layer.name, layer.style, Shape::line)});
-        for (const LineFeature& one : layer.features)
-            made.rows.push_back({line_of(one.line), length_of(one.line), &one.numbers, &one.texts});
-    }
-    for (const PointLayer& layer : points) {
-        RowLayer& made = all.emplace_back(
-            RowLayer{layer.name, wkbPoint, nullptr, {}, style_or_default(layer.name, layer.style, Shape::point)});
-        for (const PointFeature& one : layer.features)
-            made.rows.push_back({std::make_unique<OGRPoint>(one.place.x, one.place.y), 0, &one.numbers, &one.texts});
+    for (const ShapeLayer& layer : layers) {
+        const bool lines = layer.shape == Shape::line;
+        RowLayer& made = all.emplace_back(RowLayer{layer.name,
+                                                   lines ? wkbLineString : wkbPoint,
+                                                   lines ? "length_m" : nullptr,
+                                                   {},
+                                                   style_or_default(layer.name, layer.style, layer.shape)});
+        for (const Feature& one : layer.features)
+            made.rows.push_back({geometry_of(one.shape, made.type), lines ? length_of(one.shape.lines.at(0)) : 0,
+                                 &one.numbers, &one.texts});
     }
     write_layers(gpkg_path, crs_wkt, std::move(all));
 }

@@ -8,6 +8,7 @@
 
 #include "core/geometry.h"
 #include "core/point_table.h"
+#include "gis/vector/features_in.h"
 #include "gis/vector/vector_style.h"
 
 namespace frana::gis {
@@ -32,26 +33,12 @@ struct OutlineLayer {
     StyleText style{};  ///< empty: outlines of the default look
 };
 
-/// A line or a point with its attributes.
-struct LineFeature {
-    Polyline line;
-    std::map<std::string, double> numbers;
-    std::map<std::string, std::string> texts;
-};
-struct PointFeature {
-    Point place;
-    std::map<std::string, double> numbers;
-    std::map<std::string, std::string> texts;
-};
-struct LineLayer {
+/// Features of one kind of shape.
+struct ShapeLayer {
     std::string name;
-    std::vector<LineFeature> features;
-    StyleText style{};
-};
-struct PointLayer {
-    std::string name;
-    std::vector<PointFeature> features;
-    StyleText style{};
+    Shape shape;
+    std::vector<Feature> features;
+    StyleText style{};  ///< empty: the default look
 };
 
 /// Writes a GeoPackage with one multipolygon layer per entry, with an area_m2 column and the features' own attributes,
@@ -59,9 +46,15 @@ struct PointLayer {
 /// Written aside and renamed. An empty CRS is stored as undefined. Throws Error(environment).
 void write_outlines(const std::string& gpkg_path, const std::string& crs_wkt, const std::vector<OutlineLayer>& layers);
 
-/// Writes a GeoPackage of lines (with their length_m) and points; NaN attributes become NULL. Otherwise as
-/// write_outlines.
+/// Writes a GeoPackage with one layer per entry: of lines, each with its length_m, or of points. Attributes that are
+/// NaN become NULL. Otherwise as write_outlines.
 void write_lines_and_points(const std::string& gpkg_path, const std::string& crs_wkt,
-                            const std::vector<LineLayer>& lines, const std::vector<PointLayer>& points);
+                            const std::vector<ShapeLayer>& layers);
+
+/// The same of features that may have several parts and any shape: a layer of areas, one of lines, one of points (those
+/// that occur; a feature without geometry goes to the first).
+/// @param base of the names of the layers: "exposure" gives exposure_areas, exposure_lines, exposure_points
+void write_mixed(const std::string& gpkg_path, const std::string& crs_wkt, const std::string& base,
+                 const std::vector<Feature>& features, const std::map<Shape, StyleText>& styles);
 
 }  // namespace frana::gis

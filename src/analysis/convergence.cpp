@@ -164,7 +164,7 @@ double median(std::vector<double> values) {
 bool enough_levels(const std::vector<double>& cell_sizes) {
     std::vector<Refinement> levels;
     for (const double size : cell_sizes) levels.push_back({size, 0});
-    return !levels.empty() && window(levels, 4).count >= 3 && window(levels, 2).reaches(2);
+    return !levels.empty() && !std::isnan(value_at(levels, 2)) && !std::isnan(value_at(levels, 4));
 }
 
 std::vector<GridConvergence> grid_convergence(const std::vector<std::vector<Refinement>>& values, double detail) {

@@ -50,11 +50,11 @@ struct GridConvergence {
 /// 1.25 is the safety factor of the grid convergence index (Roache 1994); the mean is ours (share/doc/accuracy.md). The
 /// order p = log2(|f(2h) - f(4h)| / |f(h) - f(2h)|) is observed if f changes monotonically from 4 h to h, the second
 /// halving changes it at most 0.9 times as much as the first, and `unseen_detail` is at most 1. Throws Error(input)
-/// unless enough_levels().
+/// without three of up to 4 h, one of them 2 h.
 std::vector<GridConvergence> grid_convergence(const std::vector<std::vector<Refinement>>& values, double unseen_detail);
 
-/// Whether these cell sizes, coarsest first, suffice for grid_convergence with `unseen_detail`: three of up to 4 h, one
-/// of them 2 h.
+/// Whether an accuracy may be claimed from these cell sizes, coarsest first: 4 h and 2 h are among them, from which a
+/// trend can be told.
 bool enough_levels(const std::vector<double>& cell_sizes);
 
 /// Detail of the finest terrain beyond a coarser one, relative to the detail added by the last halving of the cells: 2

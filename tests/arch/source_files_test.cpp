@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <regex>
 #include <set>
 
@@ -61,10 +62,15 @@ std::size_t lines_in(const std::string& folder) {
     return lines;
 }
 
-// Lower it when the product has shrunk; what comes in makes its room elsewhere.
-TEST(SourceFiles, TheProductKeepsItsSumOfLines) {
+// The sum is above the ceiling: it is only ever lowered, when the product has shrunk; what comes in makes its room
+// elsewhere. Once below, the ceiling alone holds.
+TEST(SourceFiles, TheProductKeepsBelowItsCeiling) {
     constexpr std::size_t k_lines = 88630;
-    EXPECT_LE(lines_in("src") + lines_in("gis") + lines_in("render"), k_lines);
+    const std::size_t lines = lines_in("src") + lines_in("gis") + lines_in("render");
+    EXPECT_LE(lines, k_lines);
+    std::size_t ceiling = 0;
+    if (!(std::ifstream(FRANA_SHARED_DIR "/CEILING") >> ceiling)) GTEST_SKIP() << "no ceiling at " FRANA_SHARED_DIR;
+    EXPECT_EQ(lines > ceiling, k_lines > ceiling) << "the product is below its ceiling: k_lines is the ceiling now";
 }
 
 // Many small files cost a reader more than their lines.

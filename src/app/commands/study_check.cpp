@@ -33,28 +33,25 @@ namespace {
 
 /// What is known of a slope before it runs.
 struct SlopePlan {
-    double area = 0;               ///< of its polygons [m2]
-    std::optional<Bounds> window;  ///< of the terrain; none: the whole DTM, or it fails
-    std::string problem;           ///< why it fails; empty: it runs
+    double area = 0;      ///< of its polygons [m2]
+    std::string problem;  ///< why it fails; empty: it runs
 };
 
 constexpr std::size_t k_listed = 30;  // a screen; members.csv has all
 
 SlopePlan plan_of(const study::StudyInput& input, std::size_t member) {
     const study::Slope& slope = input.slopes[member];
-    SlopePlan plan{area(slope.outline), std::nullopt, slope.problem};
+    SlopePlan plan{area(slope.outline), slope.problem};
     if (!plan.problem.empty()) return plan;
     const auto note = [&](const Error& error) { plan.problem = describe(error.problems().front()); };
     attempt(note, [&] {
         RunLog silent(true);
         SceneReading reading = input.member(member);
         reading.session.reads = std::make_shared<RememberedReads>();
-        study::cut_terrain(*input.reading.study.region, reading, silent);
         Problems problems;
         std::vector<UsedFile> files;
         prepare_release(reading, nullptr, files, silent, problems);  // its own columns
         problems.throw_if_any();
-        plan.window = reading.scene.terrain.bounds;
     });
     return plan;
 }
@@ -116,9 +113,8 @@ double members_of(const study::StudyInput& input, const std::vector<SlopePlan>& 
     return largest > 0 ? all / largest : 0;
 }
 
-/// Prints the slopes of a region, the terrain of each, those that would fail and why.
+/// Prints the slopes of a region, those that would fail and why.
 void print_slopes(const study::StudyInput& input, const std::vector<SlopePlan>& plans) {
-    const double cell = input.base.scene.grid.cell_size;
     std::vector<std::pair<std::string, std::string>> failing;
     std::set<std::string> scenarios;
     std::printf("Slopes\n");
@@ -131,10 +127,7 @@ void print_slopes(const study::StudyInput& input, const std::vector<SlopePlan>& 
         if (!plan.problem.empty())
             failing.emplace_back(label_of(slope, i), plan.problem);
         else if (i < k_listed)
-            print_fact(label_of(slope, i), grouped(plan.area) + " m2 on " +
-                                               (plan.window ? grouped(plan.window->width() / cell) + " x " +
-                                                                  grouped(plan.window->height() / cell) + " cells"
-                                                            : "the whole DTM"));
+            print_fact(label_of(slope, i), grouped(plan.area) + " m2");
     }
     if (plans.size() > k_listed) print_fact("...", "and " + std::to_string(plans.size() - k_listed) + " more");
     if (!failing.empty()) std::printf("\nSlopes that fail\n");
@@ -154,14 +147,12 @@ Json slopes_json(const study::StudyInput& input, const std::vector<SlopePlan>& p
     Json list = Json::array();
     for (std::size_t i = 0; i < plans.size(); ++i) {
         const study::Slope& slope = input.slopes[i];
-        const auto& box = plans[i].window;
         list.push_back({{"member", i},
                         {"name", text(slope.name)},
                         {"group", text(slope.group)},
                         {"scenario", text(slope.scenario)},
                         {"return_period", slope.return_period ? Json(*slope.return_period) : Json()},
                         {"area_m2", plans[i].area},
-                        {"window", box ? Json::array({box->west, box->south, box->east, box->north}) : Json()},
                         {"problem", text(plans[i].problem)}});
     }
     return list;

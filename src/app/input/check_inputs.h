@@ -9,7 +9,7 @@
 #include "app/text/run_log.h"
 #include "core/error.h"
 #include "core/raster.h"
-#include "gis/vector/exposed_in.h"
+#include "gis/vector/features_in.h"
 #include "params/keys/scene_spec.h"
 #include "simulation/result.h"
 #include "simulation/scene.h"
@@ -44,7 +44,7 @@ double released_area(const Scene& scene);
 /// no elevation.
 /// @param map the ground that is computed
 /// @param terrain null, or in tiles: not looked at
-void warn_of_unknown_exposure(const gis::ExposedLayer& layer, const Bounds& map, const Raster* terrain, RunLog& log);
+void warn_of_unknown_exposure(const gis::FeatureLayer& layer, const Bounds& map, const Raster* terrain, RunLog& log);
 
 /// Statistics of the DTM under the outlines of the release; none if nothing is released.
 std::optional<GroundStatistics> ground_of_release(const Scene& scene);

@@ -9,7 +9,6 @@
 
 #include "analysis/ground_doubts.h"
 #include "analysis/ground_statistics.h"
-#include "app/input/flow_window.h"
 #include "app/text/number_text.h"
 #include "gis/crs/crs_transform.h"
 #include "gis/raster/footprint.h"
@@ -38,6 +37,10 @@ struct LookedAt {
         return worded("E {1}, N {2}", {numeral(number_text(place.x, 9)), numeral(number_text(place.y, 9))});
     }
 };
+
+Bounds united(const Bounds& a, const Bounds& b) {
+    return {std::min(a.west, b.west), std::min(a.south, b.south), std::max(a.east, b.east), std::max(a.north, b.north)};
+}
 
 /// The window of a grid around some cells, no larger than is looked at.
 CellWindow window_around(const GridSpec& grid, const Bounds& box, double margin) {

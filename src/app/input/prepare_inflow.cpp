@@ -13,7 +13,7 @@
 #include "core/text.h"
 #include "core/words/words.h"
 #include "gis/access/table_in.h"
-#include "gis/vector/marks_in.h"
+#include "gis/vector/features_in.h"
 #include "params/grammar/ini_file.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/plausible.h"
@@ -129,13 +129,13 @@ std::vector<Row> rows_of(const gis::Table& table, const Columns& columns, const 
 
 }  // namespace
 
-std::string hydrograph_file(const SceneReading& reading, const gis::LineInput& feature, std::size_t number) {
+std::string hydrograph_file(const SceneReading& reading, const gis::Feature& feature, std::size_t number) {
     const std::string& given = *reading.scene.inflow.hydrograph;
     const std::string k_attribute = "attribute:";
     if (given.rfind(k_attribute, 0) != 0) return given;
     const std::string column = trimmed(given.substr(k_attribute.size()));
     const auto found = feature.texts.find(column);
-    if (found == feature.texts.end()) {
+    if (found == feature.texts.end() || found->second.empty()) {
         throw Error(ErrorKind::input, Problem{"line " + std::to_string(number) + " has no attribute " + column,
                                               reading.where("inflow.hydrograph"), "", "", "Name one of its columns"});
     }
@@ -216,8 +216,8 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
     const InflowSpec& spec = reading.scene.inflow;
     if (!spec.line || !spec.hydrograph) return inflows;
     attempt(problems, [&] {
-        const gis::LineInputLayer layer = reading.session.read(gis::read_lines, *spec.line, target_crs(reading, ground),
-                                                               reading.where("inflow.line"));
+        const gis::FeatureLayer layer = reading.session.read(gis::read_lines, *spec.line, target_crs(reading, ground),
+                                                             reading.where("inflow.line"));
         log.note("inflow " + *spec.line + ": " + std::to_string(layer.features.size()) + " lines in " +
                  layer.crs_label);
         files.push_back(used_lines(worded("Inflow line"), *spec.line, layer));
@@ -230,12 +230,12 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
             return;
         }
         for (std::size_t i = 0; i < layer.features.size(); ++i) {
-            const gis::LineInput& feature = layer.features[i];
+            const gis::Feature& feature = layer.features[i];
             Inflow inflow;
-            inflow.line = feature.line;
+            inflow.line = feature.shape.lines.front();
             std::string hydrograph;
             if (spec.direction) inflow.azimuth = *spec.direction * std::numbers::pi / 180;
-            const double length = ground != nullptr ? length_of(feature.line) : 1;
+            const double length = ground != nullptr ? length_of(inflow.line) : 1;
             const auto read_it = [&] {
                 hydrograph = hydrograph_file(reading, feature, i + 1);
                 const Hydrograph read = read_hydrograph(hydrograph, reading.where("inflow.hydrograph"),
@@ -254,7 +254,7 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
                               "before " + shortest_text(reading.scene.time.end) + " s",
                               "Raise time.end, or correct the column time"});
             if (ground == nullptr) continue;
-            const Bounds box = bounds(MultiPolygon{{feature.line, {}}});
+            const Bounds box = bounds(MultiPolygon{{inflow.line, {}}});
             if (!is_on_ground(reading, "inflow.line", box, *ground, false, problems)) continue;
             warn_of_late_volume(inflow.hydrograph, reading.scene.time.end, log);
             log.note("line " + std::to_string(i + 1) + ": " + number_text(length, 4) + " m, from " +

@@ -6,7 +6,7 @@
 #include "app/input/prepare_terrain.h"
 #include "app/input/used_file.h"
 #include "core/error.h"
-#include "gis/vector/marks_in.h"
+#include "gis/vector/features_in.h"
 #include "simulation/scene.h"
 
 namespace frana::app {
@@ -18,7 +18,7 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
 
 /// Returns the hydrograph's file for a line: the scene's own, or the one named in the line's column. Throws
 /// Error(input).
-std::string hydrograph_file(const SceneReading& reading, const gis::LineInput& feature, std::size_t number);
+std::string hydrograph_file(const SceneReading& reading, const gis::Feature& feature, std::size_t number);
 
 struct Hydrograph {
     std::vector<HydrographPoint> points;

@@ -8,7 +8,6 @@
 #include "analysis/gaussian_field.h"
 #include "analysis/ground_statistics.h"
 #include "analysis/trace.h"
-#include "app/input/flow_window.h"
 #include "app/input/memory_bound.h"
 #include "app/input/used_file.h"
 #include "app/process/machine_memory.h"
@@ -150,7 +149,7 @@ void check_terrain(const SceneReading& reading, const Raster& terrain, const Gri
                     {numeral(grouped(found.needles)), numeral(number_text(needle)), listed(list)}));
 }
 
-// Up to here a run takes the whole DTM; beyond, unused rasters would cost more than the flow.
+// Up to here a run reads and checks the whole DTM; beyond, that would cost more than the flow.
 constexpr auto k_large = static_cast<double>(CellValues::k_most_dense);
 // With terrain read on demand a cell costs addresses (of nodes and their maxima) and tables of tiles.
 // A map of 20 000 x 20 000 cells is the largest that tests run.
@@ -293,13 +292,15 @@ void read_on_demand(const SceneReading& reading, const GridSpec& grid, TerrainIn
                                                      file->read(window, values);
                                                  if (error) add_field(*error, grid, window, values);
                                              });
-    known.raster = samples_of(spec, input.file, grid);
-    check_terrain(reading, known.raster, grid, log);
+    if (!reading.reads_on_demand) {  // otherwise the whole was looked at before
+        known.raster = samples_of(spec, input.file, grid);
+        check_terrain(reading, known.raster, grid, log);
+    }
     input.used = used_raster(worded("DTM"), input.file, known);
     do_not_count_nodata(input.used);
     log.note(
-        "the DTM is large: elevations are read where the release lies and where the flow comes, and checked there; "
-        "of the whole only samples were checked");
+        "elevations are read where the release lies and where the flow comes, and checked there; of the whole only "
+        "samples were checked");
 }
 
 TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
@@ -310,19 +311,10 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
     const std::string& crs = dtm.working_crs;
     input.crs_label = crs.empty() ? "local" : reading.session.read(gis::crs_name, crs);
 
-    std::optional<Bounds> bounds = spec.bounds;
-    bool on_demand = can_read_on_demand(reading.scene);
-    if (!bounds && static_cast<double>(input.file.columns) * static_cast<double>(input.file.rows) > k_large) {
-        const GridSpec all = reading.session.read(gis::working_grid, input.file, crs, bounds, spec.cell_size);
-        const double most = on_demand ? k_large * all.cell_area() : HUGE_VAL;
-        bounds = flow_window(reading, input.file, crs, most);
-        if (bounds)
-            log.note("the DTM is large: frana takes the part that the release can reach, " + extent_text(*bounds) +
-                     "; terrain.bounds overrides this");
-    }
-    const GridSpec grid = reading.session.read(gis::working_grid, input.file, crs, bounds, spec.cell_size);
-    on_demand = on_demand && (static_cast<double>(grid.cell_count()) > k_large ||
-                              cells_to_read(input.file, grid) > k_most_cells_read);
+    const GridSpec grid = reading.session.read(gis::working_grid, input.file, crs, spec.bounds, spec.cell_size);
+    const bool is_large =
+        static_cast<double>(grid.cell_count()) > k_large || cells_to_read(input.file, grid) > k_most_cells_read;
+    const bool on_demand = can_read_on_demand(reading.scene) && (is_large || reading.reads_on_demand);
     check_size(reading, grid, on_demand);
     if (on_demand) {
         read_on_demand(reading, grid, input, log);

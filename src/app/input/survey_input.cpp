@@ -157,7 +157,7 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std:
     if (const auto& exposed = output.exposure) {
         attempt(problems, [&] {
             extra.exposure =
-                reading.session.read(gis::read_exposed, *exposed, grid.crs_wkt, reading.where("output.exposure"),
+                reading.session.read(gis::read_features, *exposed, grid.crs_wkt, reading.where("output.exposure"),
                                      output.exposure_name.value_or(""), output.exposure_count.value_or(""));
             files.push_back(used_exposed(*exposed, *extra.exposure));
         });

@@ -9,8 +9,7 @@
 #include "app/text/run_log.h"
 #include "core/error.h"
 #include "gis/raster/raster_in.h"
-#include "gis/vector/exposed_in.h"
-#include "gis/vector/marks_in.h"
+#include "gis/vector/features_in.h"
 #include "gis/vector/vector_in.h"
 #include "params/scene/read_scene.h"
 #include "simulation/scene.h"
@@ -52,7 +51,7 @@ struct ExtraInput {
     std::vector<CrossSection> sections;
     std::vector<gis::NamedLine> profiles;
     Survey survey;  ///< without the scar, which is read with the release
-    std::optional<gis::ExposedLayer> exposure;
+    std::optional<gis::FeatureLayer> exposure;
 };
 
 /// Reads them for a working grid. Adds every problem to `problems`, including places outside the grid, and the files

@@ -93,7 +93,7 @@ UsedFile used_polygons(const std::string& role, const std::string& path, const g
     return file;
 }
 
-UsedFile used_lines(const std::string& role, const std::string& path, const gis::LineInputLayer& layer) {
+UsedFile used_lines(const std::string& role, const std::string& path, const gis::FeatureLayer& layer) {
     UsedFile file = positioned(role, path, layer.crs_wkt, layer.crs_label, layer.own_bounds, layer.transform);
     file.content = counted_lines(layer.features.size());
     file.checksum.add(layer.features);
@@ -118,14 +118,12 @@ UsedFile used_hydrograph(const std::string& path, const std::vector<HydrographPo
     return file;
 }
 
-UsedFile used_exposed(const std::string& path, const gis::ExposedLayer& layer) {
+UsedFile used_exposed(const std::string& path, const gis::FeatureLayer& layer) {
     UsedFile file =
         positioned(worded("Exposed features"), path, layer.crs_wkt, layer.crs_label, layer.own_bounds, layer.transform);
     file.layer = layer.layer_name;
     file.content = counted(layer.features.size(), worded("features: {1}"));
-    for (const gis::ExposedFeature& one : layer.features)
-        file.checksum.add_all(one.name, one.count.value_or(-1), one.shape.areas, one.shape.lines, one.shape.points,
-                              one.numbers, one.texts);
+    file.checksum.add(layer.features);
     return file;
 }
 

@@ -15,8 +15,7 @@
 #include "core/raster.h"
 #include "gis/crs/crs_transform.h"
 #include "gis/raster/raster_in.h"
-#include "gis/vector/exposed_in.h"
-#include "gis/vector/marks_in.h"
+#include "gis/vector/features_in.h"
 #include "gis/vector/vector_in.h"
 #include "simulation/scene.h"
 
@@ -49,7 +48,10 @@ class Checksum {
     }
     void add(const Polygon& polygon) { add_all(polygon.outer, polygon.holes); }
     void add(const PolygonFeature& feature) { add_all(feature.parts, feature.numbers); }
-    void add(const gis::LineInput& feature) { add_all(feature.line, feature.texts); }
+    void add(const gis::Feature& feature) {
+        add_all(feature.name, feature.count.value_or(-1), feature.shape.areas, feature.shape.lines,
+                feature.shape.points, feature.numbers, feature.texts);
+    }
     void add(const gis::NamedLine& line) { add_all(line.name, line.line); }
     void add(const gis::NamedPoint& point) { add_all(point.name, point.place); }
     void add(const HydrographPoint& point) { add_all(point.time, point.discharge, point.speed); }
@@ -105,10 +107,10 @@ UsedFile used_raster(const std::string& role, const gis::RasterInfo& file, const
 /// For a raster of which only parts are read.
 void do_not_count_nodata(UsedFile& raster);
 UsedFile used_polygons(const std::string& role, const std::string& path, const gis::PolygonLayer& layer);
-UsedFile used_lines(const std::string& role, const std::string& path, const gis::LineInputLayer& layer);
+UsedFile used_lines(const std::string& role, const std::string& path, const gis::FeatureLayer& layer);
 UsedFile used_marks(const std::string& role, const std::string& path, const gis::Marks& marks);
 UsedFile used_hydrograph(const std::string& path, const std::vector<HydrographPoint>& points);
-UsedFile used_exposed(const std::string& path, const gis::ExposedLayer& layer);
+UsedFile used_exposed(const std::string& path, const gis::FeatureLayer& layer);
 /// A data file of one's own: a hazard scheme, a friction table. `called`: its title.
 UsedFile used_data_file(const std::string& role, const std::string& path, const std::string& called);
 /// `content`: its checksum.

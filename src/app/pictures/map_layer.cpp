@@ -233,10 +233,11 @@ std::optional<std::string> probability_name(const std::string& path) {
     return probability_of(gis::read_raster_text(path));
 }
 
-MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const Words& words, bool foreign) {
+MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const Words& words, bool foreign,
+                        std::optional<Raster> values) {
     const gis::RasterText text = gis::read_raster_text(path);
     MapLayer layer;
-    layer.values = gis::read_result_raster(path);
+    layer.values = values ? *std::move(values) : gis::read_result_raster(path);
     if (foreign && text.classes.empty()) hide_zeros(layer.values);
     const std::filesystem::path file(path);
     layer.name = file.stem().string();

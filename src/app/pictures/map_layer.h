@@ -52,8 +52,10 @@ struct MapLayer {
 
 /// Reads the first band of a raster. How it is drawn depends on the known names of frana's own files and on the file's
 /// texts (description, unit, classes with colours, TIME_S); `classes`: as the scene chose them. `foreign`: a file of
-/// another program, in which a value of 0 means no flow. Throws Error(input).
-MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const Words& words, bool foreign = false);
+/// another program, in which a value of 0 means no flow. `values`: the file's where they are in memory. Throws
+/// Error(input).
+MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const Words& words, bool foreign = false,
+                        std::optional<Raster> values = std::nullopt);
 
 /// Returns what a map of a result's own raster must say itself, since maps are passed on without the log: the meaning
 /// of a scheme's classes and the source of their limits; that high flights are not shown.

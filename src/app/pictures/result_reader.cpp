@@ -22,8 +22,7 @@
 #include "core/words/words.h"
 #include "gis/crs/crs.h"
 #include "gis/raster/raster_in.h"
-#include "gis/vector/exposed_in.h"
-#include "gis/vector/marks_in.h"
+#include "gis/vector/features_in.h"
 #include "gis/vector/vector_in.h"
 #include "params/grammar/ini_file.h"
 #include "params/grammar/value_text.h"
@@ -37,19 +36,19 @@ namespace frana::app {
 namespace {
 
 /// The features of all layers of the file.
-std::vector<gis::ExposedFeature> features_of(const std::string& gpkg, const std::string& crs_wkt) {
-    std::vector<gis::ExposedFeature> all;
+std::vector<gis::Feature> features_of(const std::string& gpkg, const std::string& crs_wkt) {
+    std::vector<gis::Feature> all;
     const std::set<std::string> filled = gis::filled_layers(gpkg, "RESULT_DIR");
     for (const VectorLayer& row : vector_layers()) {
         if (row.file != k_exposure_file || filled.count(row.name) == 0) continue;
-        gis::ExposedLayer layer = gis::read_exposed(gpkg + "|layer=" + row.name, crs_wkt, "RESULT_DIR", "", "");
-        for (gis::ExposedFeature& one : layer.features) all.push_back(std::move(one));
+        gis::FeatureLayer layer = gis::read_features(gpkg + "|layer=" + row.name, crs_wkt, "RESULT_DIR", "", "");
+        for (gis::Feature& one : layer.features) all.push_back(std::move(one));
     }
     return all;
 }
 
 /// Whether the attribute of a feature is that of a look; NULL is NaN.
-bool has_value(const gis::ExposedFeature& feature, double value) {
+bool has_value(const gis::Feature& feature, double value) {
     const auto found = feature.numbers.find(k_reached);
     const double own = found == feature.numbers.end() ? k_no_data : found->second;
     return own == value || (std::isnan(own) && std::isnan(value));
@@ -68,12 +67,12 @@ void add(const MixedShape& shape, render::Outline& outline) {
 std::vector<render::Outline> exposure_marks(const std::string& gpkg, const std::string& crs_wkt, const Words& words) {
     std::vector<render::Outline> marks;
     if (!std::filesystem::exists(gpkg)) return marks;
-    const std::vector<gis::ExposedFeature> features = features_of(gpkg, crs_wkt);
+    const std::vector<gis::Feature> features = features_of(gpkg, crs_wkt);
     const std::vector<ExposureLook>& looks = exposure_looks();
     for (auto look = looks.rbegin(); look != looks.rend(); ++look) {
         render::Outline outline{"", {}, look->colour, look->width_px, look->dashed};
         std::size_t count = 0;
-        for (const gis::ExposedFeature& one : features) {
+        for (const gis::Feature& one : features) {
             if (one.shape.empty() || !has_value(one, look->reached)) continue;
             add(one.shape, outline);
             ++count;
@@ -226,7 +225,18 @@ Raster ResultReader::vertical_raster(const std::string& name) const {
 
 Raster ResultReader::raster(const std::string& name) const {
     require(name + ".tif");
+    if (auto values = in_memory(name)) return *std::move(values);
     return gis::read_result_raster(path(name + ".tif"));
+}
+
+std::optional<Raster> ResultReader::in_memory(const std::string& name) const {
+    const Raster* const found = run_ != nullptr ? run_->find_raster(name) : nullptr;
+    if (found == nullptr) return std::nullopt;
+    Raster values = *found;
+    values.values.change_each_stored([](std::size_t, double& value) {
+        value = std::isfinite(value) ? static_cast<double>(static_cast<float>(value)) : k_no_data;
+    });
+    return values;
 }
 
 Raster ResultReader::raster_on(const GridSpec& grid, const std::string& name) const {
@@ -367,7 +377,7 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
         return layer;
     }
     if (has(name + ".tif")) {
-        MapLayer layer = read_map_layer(path(name + ".tif"), classes(), words_);
+        MapLayer layer = read_map_layer(path(name + ".tif"), classes(), words_, false, in_memory(name));
         // Other rasters of the user beside those of a run may have any grid; that of the comparison has all of a
         // surveyed outline that reaches beyond them.
         const ResultRaster* const row = find_result_raster(name);

@@ -16,6 +16,7 @@
 #include "params/grammar/ini_file.h"
 #include "params/keys/result_rasters.h"
 #include "render/map/map2d.h"
+#include "simulation/result.h"
 
 namespace frana::app {
 
@@ -43,6 +44,10 @@ class ResultReader {
     /// Throws Error(input) if there is none, or nothing of a result in it.
     /// @param language of all texts; none: its own
     explicit ResultReader(std::string directory, std::optional<Language> language = std::nullopt);
+
+    /// What the files of a run have is taken from the memory of that run as long as this is used: nothing is read
+    /// again.
+    void take_values_of(const RunResult& run) noexcept { run_ = &run; }
 
     [[nodiscard]] const std::string& directory() const noexcept { return directory_; }
     [[nodiscard]] std::string path(const std::string& name) const;
@@ -93,6 +98,8 @@ class ResultReader {
     [[nodiscard]] MapSource map_source(const std::optional<MainStatistics>& statistics = std::nullopt) const;
 
   private:
+    /// Values of NAME.tif from memory, as the file has them.
+    [[nodiscard]] std::optional<Raster> in_memory(const std::string& name) const;
     [[nodiscard]] MapStyle style() const;
     /// The day of the run, from its summary; empty if it has none.
     [[nodiscard]] std::string run_date() const;
@@ -113,6 +120,7 @@ class ResultReader {
     [[nodiscard]] std::string grid_raster() const;
 
     std::string directory_;
+    const RunResult* run_ = nullptr;
     Words words_;
     struct Layers {
         std::filesystem::file_time_type time;

@@ -26,7 +26,7 @@ std::string renamed(const std::string& name, const std::set<std::string>& taken)
     return taken.count(lower) > 0 || lower == "geom" ? "input_" + name : name;
 }
 
-std::vector<ReachedFeature> deepest_of(const gis::ExposedLayer& layer, const std::vector<ExposureRow>& rows) {
+std::vector<ReachedFeature> deepest_of(const gis::FeatureLayer& layer, const std::vector<ExposureRow>& rows) {
     std::vector<ReachedFeature> reached;
     for (std::size_t i = 0; i < rows.size(); ++i)
         if (rows[i].is_reached()) reached.push_back({layer.features[i].name, rows[i].numbers, rows[i].depth});
@@ -37,14 +37,14 @@ std::vector<ReachedFeature> deepest_of(const gis::ExposedLayer& layer, const std
 
 }  // namespace
 
-std::vector<std::vector<std::size_t>> exposed_cells(const gis::ExposedLayer& layer, const GridSpec& grid) {
+std::vector<std::vector<std::size_t>> exposed_cells(const gis::FeatureLayer& layer, const GridSpec& grid) {
     std::vector<std::vector<std::size_t>> all;
     all.reserve(layer.features.size());
-    for (const gis::ExposedFeature& feature : layer.features) all.push_back(touched_cells(feature.shape, grid));
+    for (const gis::Feature& feature : layer.features) all.push_back(touched_cells(feature.shape, grid));
     return all;
 }
 
-std::vector<ExposureRow> exposure_rows(const gis::ExposedLayer& layer, const std::vector<ExposureValues>& values,
+std::vector<ExposureRow> exposure_rows(const gis::FeatureLayer& layer, const std::vector<ExposureValues>& values,
                                        const Bounds& map) {
     std::vector<ExposureRow> rows;
     for (std::size_t i = 0; i < layer.features.size(); ++i)
@@ -52,7 +52,7 @@ std::vector<ExposureRow> exposure_rows(const gis::ExposedLayer& layer, const std
     return rows;
 }
 
-ExposureTotals write_exposure(const gis::ExposedLayer& layer, const std::vector<ExposureRow>& rows,
+ExposureTotals write_exposure(const gis::FeatureLayer& layer, const std::vector<ExposureRow>& rows,
                               const std::string& crs_wkt, const Words& words, const ResultDirectory& directory) {
     ExposureTotals totals;
     std::set<std::string> taken{"fid", "feature", "exposed", "count"};
@@ -63,11 +63,11 @@ ExposureTotals write_exposure(const gis::ExposedLayer& layer, const std::vector<
     for (const auto& [name, value] : rows.front().numbers) head += "," + csv_cell(name);
     for (const auto& [name, value] : layer.features.front().numbers) head += "," + csv_cell(renamed(name, taken));
     for (const auto& [name, value] : layer.features.front().texts) head += "," + csv_cell(renamed(name, taken));
-    std::vector<gis::ExposedFeature> written;
+    std::vector<gis::Feature> written;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const gis::ExposedFeature& from = layer.features[i];
+        const gis::Feature& from = layer.features[i];
         const ExposureRow& row = rows[i];
-        gis::ExposedFeature& to = written.emplace_back();
+        gis::Feature& to = written.emplace_back();
         to.shape = from.shape;
         const double count = from.count.value_or(1);
         ++totals.features;
@@ -99,7 +99,7 @@ ExposureTotals write_exposure(const gis::ExposedLayer& layer, const std::vector<
     std::map<gis::Shape, gis::StyleText> styles;
     for (const VectorLayer& one : vector_layers())
         if (one.file == k_exposure_file) styles[one.shape] = style_in(one, words);
-    gis::write_exposed(directory.path(k_exposure_file), crs_wkt, "exposure", written, styles);
+    gis::write_mixed(directory.path(k_exposure_file), crs_wkt, "exposure", written, styles);
     totals.deepest = deepest_of(layer, rows);
     return totals;
 }

@@ -8,7 +8,7 @@
 #include "app/store/result_directory.h"
 #include "core/raster.h"
 #include "core/words/words.h"
-#include "gis/vector/exposed_in.h"
+#include "gis/vector/features_in.h"
 
 namespace frana::app {
 
@@ -35,16 +35,16 @@ inline constexpr std::size_t k_most_named = 50;
 enum class ReachedBy { the_flow, any_run, any_slope };
 
 /// The cells of each feature on a grid.
-std::vector<std::vector<std::size_t>> exposed_cells(const gis::ExposedLayer& layer, const GridSpec& grid);
+std::vector<std::vector<std::size_t>> exposed_cells(const gis::FeatureLayer& layer, const GridSpec& grid);
 
 /// Returns a row for each feature, in order.
 /// @param map what was computed; cells may cover less, where nothing else was reached
-std::vector<ExposureRow> exposure_rows(const gis::ExposedLayer& layer, const std::vector<ExposureValues>& values,
+std::vector<ExposureRow> exposure_rows(const gis::FeatureLayer& layer, const std::vector<ExposureValues>& values,
                                        const Bounds& map);
 
 /// Writes exposure.gpkg and exposure.csv with every feature of the layer. Returns the sums.
 /// @param words of the legend in the GeoPackage's styles
-ExposureTotals write_exposure(const gis::ExposedLayer& layer, const std::vector<ExposureRow>& rows,
+ExposureTotals write_exposure(const gis::FeatureLayer& layer, const std::vector<ExposureRow>& rows,
                               const std::string& crs_wkt, const Words& words, const ResultDirectory& directory);
 
 /// "12 of 340 exposed features are reached. By their count: 45 of 1 200. Of 3 features the map says nothing: see

@@ -32,7 +32,6 @@ std::string title_of(const SceneSpec& spec) {
     return spec.output.title.value_or(scene_name(spec));
 }
 
-/// Pictures are drawn from the written files.
 MapSource map_source(const ResultReader& written, const PictureRequest& request) {
     MapSource source = written.map_source(request.statistics);
     if (!request.date.empty()) source.style.date = date_on_maps(request.spec.output.map_date, request.date);
@@ -171,7 +170,8 @@ PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log) {
     const bool maps = output.maps.front() != "off";
     if (!maps && !output.animation) return drawings.outcome();
     drawings.guard("the pictures", [&] {
-        const ResultReader written(request.folder);
+        ResultReader written(request.folder);
+        if (request.run != nullptr) written.take_values_of(*request.run);
         const MapSource source = map_source(written, request);
         LayerDrawer drawer(source);
         drawer.draw_at_next_scale([&](const Sentence& warning) { log.warn(warning); });

@@ -13,7 +13,7 @@
 
 namespace frana::app {
 
-/// The pictures of a scene: maps, comparison, charts, animation. They are drawn from the files of a result.
+/// The pictures of a scene: maps, comparison, charts, animation.
 struct PictureRequest {
     const SceneSpec& spec;
     std::string folder;  ///< of the result
@@ -22,6 +22,7 @@ struct PictureRequest {
     std::optional<MainStatistics> statistics;  ///< of a run whose summary.json is not written yet
     std::string date{};                        ///< the same
     Warnings warnings{};                       ///< the same
+    const RunResult* run = nullptr;            ///< whose rasters are drawn; null: those of the files
 };
 
 /// The result of drawing.

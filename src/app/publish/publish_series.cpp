@@ -97,31 +97,30 @@ void publish_series(const Prepared& prepared, const RunResult& result, const Res
     if (!recording.sections.empty())
         write_text_file(directory.path(k_section_table), sections_csv(result.sections, recording.sections));
     if (recording.gauges.empty() && recording.sections.empty()) return;
-    gis::LineLayer lines{"sections", {}};
-    gis::PointLayer points{"gauges", {}};
+    gis::ShapeLayer lines{"sections", gis::Shape::line, {}}, points{"gauges", gis::Shape::point, {}};
     for (const CrossSection& section : recording.sections)
-        lines.features.push_back({section.line, {}, {{"name", section.name}}});
-    for (const Gauge& gauge : recording.gauges) points.features.push_back({gauge.place, {}, {{"name", gauge.name}}});
-    write_result_lines_and_points(directory.path(k_gauge_places), prepared.scene.grid.crs_wkt, lines, points,
+        lines.features.push_back({{{}, {section.line}, {}}, {}, {{"name", section.name}}});
+    for (const Gauge& gauge : recording.gauges)
+        points.features.push_back({{{}, {}, {gauge.place}}, {}, {{"name", gauge.name}}});
+    write_result_lines_and_points(directory.path(k_gauge_places), prepared.scene.grid.crs_wkt, {lines, points},
                                   words_of(prepared.spec));
 }
 
 void publish_profiles(const Prepared& prepared, const RunResult& result, const Runout& run_out,
                       const ResultDirectory& directory) {
     const std::vector<Column> columns = columns_of(result);
-    gis::LineLayer lines{"lines", {}};
-    gis::PointLayer points{"stations", {}};
+    gis::ShapeLayer lines{"lines", gis::Shape::line, {}}, points{"stations", gis::Shape::point, {}};
     // Of max_depth and final_depth; what was released is vertical.
     const std::string direction = result.depth_is_normal ? k_normal : k_vertical;
     std::string text = "line,distance_m,x,y";
     for (const Column& column : columns) text += "," + column.name;
     text += ",depth_direction\n";
     for (const gis::NamedLine& line : profile_lines(prepared, result, run_out)) {
-        lines.features.push_back({line.line, {}, {{"name", line.name}}});
+        lines.features.push_back({{{}, {line.line}, {}}, {}, {{"name", line.name}}});
         for (const Station& station : stations(line.line, prepared.scene.grid.cell_size)) {
-            gis::PointFeature point{station.place,
-                                    {{"distance_m", station.distance}},
-                                    {{"name", line.name}, {"depth_direction", direction}}};
+            gis::Feature point{{{}, {}, {station.place}},
+                               {{"distance_m", station.distance}},
+                               {{"name", line.name}, {"depth_direction", direction}}};
             text += csv_cell(line.name);
             add_numbers(text, {station.distance, station.place.x, station.place.y});
             for (const Column& column : columns) {
@@ -134,7 +133,7 @@ void publish_profiles(const Prepared& prepared, const RunResult& result, const R
         }
     }
     write_text_file(directory.path(k_profile_table), text);
-    write_result_lines_and_points(directory.path(k_profile_lines), prepared.scene.grid.crs_wkt, lines, points,
+    write_result_lines_and_points(directory.path(k_profile_lines), prepared.scene.grid.crs_wkt, {lines, points},
                                   words_of(prepared.spec));
 }
 

@@ -195,11 +195,10 @@ void write_result_outlines(const std::string& gpkg_path, const std::string& crs_
     gis::write_outlines(gpkg_path, crs_wkt, layers);
 }
 
-void write_result_lines_and_points(const std::string& gpkg_path, const std::string& crs_wkt, gis::LineLayer lines,
-                                   gis::PointLayer points, const Words& words) {
-    set_style(gpkg_path, lines, words);
-    set_style(gpkg_path, points, words);
-    gis::write_lines_and_points(gpkg_path, crs_wkt, {lines}, {points});
+void write_result_lines_and_points(const std::string& gpkg_path, const std::string& crs_wkt,
+                                   std::vector<gis::ShapeLayer> layers, const Words& words) {
+    for (gis::ShapeLayer& layer : layers) set_style(gpkg_path, layer, words);
+    gis::write_lines_and_points(gpkg_path, crs_wkt, layers);
 }
 
 }  // namespace frana::app

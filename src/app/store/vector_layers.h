@@ -68,7 +68,7 @@ gis::AttributeTitles attribute_titles(const Words& words);
 /// gis::write_outlines.
 void write_result_outlines(const std::string& gpkg_path, const std::string& crs_wkt,
                            std::vector<gis::OutlineLayer> layers, const Words& words);
-void write_result_lines_and_points(const std::string& gpkg_path, const std::string& crs_wkt, gis::LineLayer lines,
-                                   gis::PointLayer points, const Words& words);
+void write_result_lines_and_points(const std::string& gpkg_path, const std::string& crs_wkt,
+                                   std::vector<gis::ShapeLayer> layers, const Words& words);
 
 }  // namespace frana::app

@@ -111,7 +111,6 @@ struct RegionSpec {
         std::string key, column;
     };
     std::vector<Column> columns;
-    std::optional<double> window;  ///< terrain round a polygon [m]; none: what the flow can reach
     DegreeMatrix degrees;
 };
 

@@ -206,13 +206,6 @@ inline Parameter decides_map(Parameter key) {
     return key;
 }
 
-/// A file whose features are compared with the flow or bound it: the part of a large terrain that frana selects
-/// contains them.
-inline Parameter on_map(Parameter file) {
-    file.is_on_map = true;
-    return file;
-}
-
 /// A file that contains a `content` of Parameter, by which other programs choose what they offer for it.
 inline Parameter holds(const std::string& content, Parameter file) {
     file.content = content;

@@ -82,7 +82,6 @@ using declare::choice;
 using declare::data_file;
 using declare::holds;
 using declare::number;
-using declare::on_map;
 using declare::on_off;
 using declare::option;
 using declare::Range;
@@ -102,19 +101,19 @@ void add_extra_output(std::vector<Parameter>& list) {
                               std::to_string(k_largest_whole_map / 1'000'000) + " million cells."));
     list.push_back(on_off("output.report", FRANA_MEMBER(output.report),
                           "Write report.html: maps, parameters, inputs, results and warnings in one file."));
-    list.push_back(on_map(
+    list.push_back(
         holds("points", text("output.gauges", FRANA_MEMBER(output.gauges), "file",
-                             "Points where depth and speed are recorded over time, in their own CRS.", "none"))));
-    list.push_back(on_map(
+                             "Points where depth and speed are recorded over time, in their own CRS.", "none")));
+    list.push_back(
         holds("lines", text("output.cross-sections", FRANA_MEMBER(output.sections), "file",
-                            "Lines through which the discharge is recorded over time, in their own CRS.", "none"))));
+                            "Lines through which the discharge is recorded over time, in their own CRS.", "none")));
     list.push_back(number("output.sample-interval", FRANA_MEMBER(output.sample_interval), "s", Range{0, 1e6, true},
                           "Simulated time between rows of gauges and cross-sections.", "every step"));
-    list.push_back(on_map(holds(
+    list.push_back(holds(
         "lines", text("output.profiles", FRANA_MEMBER(output.profiles), "file",
                       "Lines along which profiles of the results are written, in their own CRS; the profile along "
                       "the flow path is always written.",
-                      "none"))));
+                      "none")));
     list.push_back(
         holds("points, lines or polygons",
               text("output.exposure", FRANA_MEMBER(output.exposure), "file",
@@ -151,14 +150,14 @@ void add_hazard(std::vector<Parameter>& list) {
 }
 
 void add_survey(std::vector<Parameter>& list) {
-    list.push_back(on_map(
+    list.push_back(
         holds("lines or points",
               text("observed.front", FRANA_MEMBER(observed.front), "file",
-                   "Surveyed lines of a front, or points of a deposit's tip, in their own CRS.", "no comparison"))));
-    list.push_back(on_map(
+                   "Surveyed lines of a front, or points of a deposit's tip, in their own CRS.", "no comparison")));
+    list.push_back(
         holds("raster or polygons",
               text("observed.deposit", FRANA_MEMBER(observed.deposit), "file",
-                   "Surveyed deposit: polygons, or a raster of elevation after minus before.", "no comparison"))));
+                   "Surveyed deposit: polygons, or a raster of elevation after minus before.", "no comparison")));
 }
 
 }  // namespace frana

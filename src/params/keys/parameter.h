@@ -61,8 +61,6 @@ struct ParameterOf {
 
     bool decides_map = false;  ///< its default decides a number on the map: told where a user left it alone
 
-    bool is_on_map = false;  ///< its file's features must lie on the working grid, also where frana selects that
-
     /// Whether it can name files that are read.
     [[nodiscard]] bool reads_files() const { return map_files && type != "folder"; }
 

@@ -50,7 +50,6 @@ void add_input_parameters(std::vector<Parameter>& list) {
 using declare::choice;
 using declare::holds;
 using declare::number;
-using declare::on_map;
 using declare::on_off;
 using declare::option;
 using declare::Range;
@@ -145,19 +144,19 @@ void add_terrain(std::vector<Parameter>& list) {
     list.push_back(text("terrain.source", FRANA_MEMBER(terrain.source), "text",
                         "Source of the elevations, named on maps: survey, owner, date, licence.",
                         "the DTM's file name"));
-    list.push_back(on_map(
+    list.push_back(
         holds("polygons",
               text("terrain.friction-zones", FRANA_MEMBER(terrain.friction_zones), "file",
-                   "Polygons with different material values, in their own CRS; [zones] names the columns.", "none"))));
-    list.push_back(on_map(holds(
+                   "Polygons with different material values, in their own CRS; [zones] names the columns.", "none")));
+    list.push_back(holds(
         "polygons", text("terrain.obstacles", FRANA_MEMBER(terrain.obstacles), "file",
-                         "Polygons of dams, fills and embankments that raise the bed, in their own CRS.", "none"))));
+                         "Polygons of dams, fills and embankments that raise the bed, in their own CRS.", "none")));
     list.push_back(source("terrain.obstacle-height", FRANA_MEMBER(terrain.obstacle_height), "m", Range{0, 1000, true},
                           {Given::number, Given::attribute}, "Height of the obstacles above the DTM.",
                           "required with terrain.obstacles"));
-    list.push_back(on_map(holds(
+    list.push_back(holds(
         "polygons", text("terrain.walls", FRANA_MEMBER(terrain.walls), "file",
-                         "Polygons of buildings and walls that the flow cannot overtop, in their own CRS.", "none"))));
+                         "Polygons of buildings and walls that the flow cannot overtop, in their own CRS.", "none")));
     list.push_back(error_parameter());
 }
 
@@ -391,9 +390,9 @@ void add_rest(std::vector<Parameter>& list) {
     add_extra_output(list);
     add_hazard(list);
 
-    list.push_back(declare::on_map(declare::holds(
+    list.push_back(declare::holds(
         "polygons", text("observed.perimeter", FRANA_MEMBER(observed.perimeter), "file",
-                         "Surveyed outline to compare with: any polygon layer, in its own CRS.", "no comparison"))));
+                         "Surveyed outline to compare with: any polygon layer, in its own CRS.", "no comparison")));
     add_survey(list);
     list.push_back(number("observed.threshold", FRANA_MEMBER(observed.threshold), "m", Range{1e-6, 100},
                           "Depth above which ground counts as covered in the comparison.", "output.trace-threshold"));

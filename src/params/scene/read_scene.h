@@ -26,6 +26,9 @@ struct SceneReading {
     std::string label;               ///< the scene file as the user named it
     std::string override_label;      ///< before the name of a key that was overridden: "--set "
 
+    /// The DTM is read where the flow comes, however small it is: for many runs, each on a small part of it.
+    bool reads_on_demand = false;
+
     std::map<std::string, std::string> written;  ///< by the key's name: the second name under which it was given
 
     /// Returns where a key was given, for messages, in the words of the user: "scene.ini: terrain.dtm" or "--set

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Regions: many slopes, each in a window of its own.
+// Regions: many slopes, each of which fails alone.
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
@@ -51,7 +51,7 @@ class Region : public Ensemble {
                 features + "]}");
     }
     void write_region(const std::string& more = "") const {
-        write("region.ini", "[region]\nscene = scene.ini\nname = NAME\nscenario = SCENARIO\nwindow = 90\n" + more +
+        write("region.ini", "[region]\nscene = scene.ini\nname = NAME\nscenario = SCENARIO\n" + more +
                                 "[columns]\nrelease.thickness = THICK\nmaterial.friction-coefficient = MU\n");
     }
     [[nodiscard]] Outcome batch(const std::vector<std::string>& more = {}, const std::string& out = "out") const {
@@ -76,9 +76,9 @@ double value_at(const Raster& from, const GridSpec& grid, std::int64_t row, std:
     return from.at(r, c);
 }
 
-// Every slope is the run of the scene with its values on its window; the union is the greatest of them in each cell,
+// Every slope is the run of the scene with its values; the union is the greatest of them in each cell,
 // and the maps of a scenario those of its slopes.
-TEST_F(Region, UnionIsTheGreatestOfTheRunsOnTheirWindows) {
+TEST_F(Region, UnionIsTheGreatestOfTheRuns) {
     write_slopes(three());
     write_region();
     const Outcome outcome = batch({"--threads", "2"});
@@ -91,7 +91,7 @@ TEST_F(Region, UnionIsTheGreatestOfTheRunsOnTheirWindows) {
         std::vector<std::string> arguments{"run",         "scene.ini", "--out", "alone",
                                            "--overwrite", "--quiet",   "--set", "time.end=" + row.at("time.end")};
         for (const std::string key :
-             {"release.perimeter-filter", "release.thickness", "material.friction-coefficient", "terrain.bounds"}) {
+             {"release.perimeter-filter", "release.thickness", "material.friction-coefficient"}) {
             arguments.insert(arguments.end(), {"--set", key + "=" + row.at(key)});
         }
         const Outcome alone = frana(arguments);
@@ -99,7 +99,6 @@ TEST_F(Region, UnionIsTheGreatestOfTheRunsOnTheirWindows) {
         depth.push_back(raster("alone/max_depth.tif"));
         velocity.push_back(raster("alone/max_velocity.tif"));
         pressure.push_back(raster("alone/max_pressure.tif"));
-        EXPECT_LT(depth.back().grid.columns, k_columns) << "no window";
     }
     const Raster all = raster("out/union_max_depth.tif"), fast = raster("out/union_max_velocity.tif"),
                  hard = raster("out/union_max_pressure.tif"), hits = raster("out/hit_count.tif"),
@@ -255,8 +254,7 @@ TEST_F(Region, FailedSlopesAreListedAndTheRestIsDone) {
     for (const std::string words : {"6, of which 3 fail", "3 far", "4 steep", "5 blank", "column THICK", "memory"})
         EXPECT_NE(check.out.find(words), std::string::npos) << words << "\n" << check.out;
     const Outcome document = frana({"check", "region.ini", "--json"});
-    for (const std::string words :
-         {R"("slopes": [)", R"("name": "far")", R"("window": null)", R"("scenario": "often")"})
+    for (const std::string words : {R"("slopes": [)", R"("name": "far")", R"("scenario": "often")"})
         EXPECT_NE(document.out.find(words), std::string::npos) << words << "\n" << document.out;
     const Outcome outcome = batch();
     EXPECT_EQ(outcome.exit_code, 3) << outcome.err;  // more than a twentieth failed
@@ -310,11 +308,12 @@ TEST_F(Region, SlopesThatWereCutAreTold) {
     EXPECT_EQ(batch({"--overwrite", "--strict"}).exit_code, 3);
 }
 
-// Windows of 10 m round slopes whose flows come 100 m far.
-TEST_F(Region, SlopesThatLeaveTheirWindowsAreTold) {
+// Terrain that ends 10 m below slopes whose flows come 100 m far.
+TEST_F(Region, SlopesThatLeaveTheGroundAreTold) {
     write_slopes(three());
-    write("region.ini", std::regex_replace((write_region(), read_text(path("region.ini"))), std::regex("window = 90"),
-                                           "window = 10"));
+    const auto text = [](double value) { return std::to_string(value) + " "; };
+    write_region("[set]\nterrain.bounds = " + text(k_west) + text(k_south) + text(k_west + 60) + text(k_south + 150) +
+                 "\n");
     const Outcome outcome = batch();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const Json summary = parse_json(read_text(path("out/summary.json")));
@@ -330,7 +329,7 @@ TEST_F(Region, OneTextInAColumnFailsThatSlopeAloneByItsNumberInTheFile) {
     slopes[1].thickness = "\"unknown\"";
     slopes.push_back({"d", "rare", "300", "-2", "0.2", 40, 60, 20});
     write_slopes(slopes);
-    write("region.ini", "[region]\nscene = scene.ini\nname = NAME\nwindow = 90\n");
+    write("region.ini", "[region]\nscene = scene.ini\nname = NAME\n");
     write("scene.ini",
           std::regex_replace(read_text(path("scene.ini")), std::regex("thickness = 1"), "thickness = attribute:THICK"));
     const Outcome check = frana({"check", "region.ini", "--json"});
@@ -402,7 +401,7 @@ TEST_F(Region, AFrictionTableIsReadByTheReturnPeriodOfTheEvent) {
         write("scene.ini", std::regex_replace(plain, std::regex("(ramms-avalanche)"), "$1\n" + period) +
                                "[hazard]\nscheme = own.ini\n");
         write("region.ini",
-              "[region]\nscene = scene.ini\nname = NAME\nscenario = SCENARIO\nwindow = 90\n"
+              "[region]\nscene = scene.ini\nname = NAME\nscenario = SCENARIO\n"
               "return-period = YEARS\n" +
                   column);
     };

@@ -31,15 +31,14 @@ class BatchAlgorithm(StudyAlgorithm):
     COMMAND = NAME = "batch"
     TITLE = "Run a region of many slopes"
     GROUP = "Many runs"
-    HELP = ("Each polygon of the release area is a slope that fails alone, in a window of the terrain of its own. What any of "
-            "them causes is united: greatest depth, speed and pressure, earliest arrival, number of slopes that reach a place; "
+    HELP = ("Each polygon of the release area is a slope that fails alone. What any of them causes is united: greatest depth, speed and pressure, earliest arrival, number of slopes that reach a place; "
             "with a hazard scheme and return periods the degree of hazard; with exposed features what reaches each.\n\n"
             "Columns of the polygons give what differs from slope to slope.")
     TAGS = ("region", "hazard map", "indication map", "exposure")
     FILE = "Region file, instead of the fields"
     ALSO_FIRST = ("hazard.scheme", "output.trace-threshold", "output.exposure")
     NOT_FIRST = ("observed.perimeter", "numerics.accuracy")
-    NAMES = {**StudyAlgorithm.NAMES, "columns": "Other keys from columns", "region.window": "Window of a slope",
+    NAMES = {**StudyAlgorithm.NAMES, "columns": "Other keys from columns",
              **{(name if "." in name else "region." + name): label for name, _, label, _ in _COLUMNS}}
 
     def initAlgorithm(self, configuration: dict[str, Any] | None = None) -> None:  # noqa: N802
@@ -51,8 +50,6 @@ class BatchAlgorithm(StudyAlgorithm):
             self.addParameter(column)
         self.add_advanced(table("COLUMNS", "Other keys from columns: key and column", ["Key", "Column"], ""),
                           "One row for each key, for example material.density and RHO.")
-        self.add_advanced(QgsProcessingParameterString("WINDOW", "Window of a slope [m] (auto)", None, False, True),
-                          "auto: all ground under the energy line of its friction; or so many metres round its polygon.")
         self.add_advanced(QgsProcessingParameterEnum("KEEP", "Slopes whose scene and maps are kept (none)", _KEEP, False, None,
                                                      True, True), "They are in the folder members of the result.")
         self.add_file()
@@ -69,7 +66,6 @@ class BatchAlgorithm(StudyAlgorithm):
             raise QgsProcessingException(tr("Release area: is missing. Choose a layer of polygons, one for each slope"))
         given = [(name, values.column(parameter)) for name, parameter, _, _ in _COLUMNS if values.has(parameter)]
         region = [("scene", scene), *((name, column) for name, column in given if "." not in name)]
-        region += [("window", values.text("WINDOW"))] if values.has("WINDOW") else []
         region += [("keep", values.word("KEEP"))] if values.has("KEEP") else []
         columns = [pair for pair in given if "." in pair[0]]
         columns += by_key(values, self.program.keys, "COLUMNS", "Other keys from columns")

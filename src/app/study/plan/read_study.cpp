@@ -53,6 +53,7 @@ namespace fs = std::filesystem;
 
 /// Keys of earlier versions, and what to use.
 constexpr std::pair<const char*, const char*> k_gone_keys[] = {
+    {"region.window", "Remove it: terrain is read where the flow of a slope comes"},
     {"study.levels", "Remove it: sampling = sobol is as certain at the same cost"},
     {"study.per-polygon", "Write a region, whose polygons each fail alone, and run it with `frana batch`"},
     {"study.refine",

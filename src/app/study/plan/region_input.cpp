@@ -6,7 +6,6 @@
 
 #include "analysis/hazard.h"
 #include "app/input/doubt_ground.h"
-#include "app/input/flow_window.h"
 #include "app/input/layer_values.h"
 #include "app/publish/publish_hazard.h"
 #include "app/store/scene_identity.h"
@@ -52,24 +51,18 @@ void settle_degree(StudyInput& input) {
                         "Choose one of these, or remove region.return-period"});
 }
 
-/// Prepares a slope in its window.
-Prepared prepare_slope(const RegionSpec& region, SceneReading& slope, const std::optional<Problem>& place,
-                       RunLog& log) {
+Prepared prepare_slope(SceneReading& slope, const std::optional<Problem>& place, RunLog& log) {
     slope.scene.observed = {};
     slope.scene.output.profiles.reset();
-    // What is wrong is told by prepare(), with all else.
-    if (slope.problems.empty() && !attempt([&] { cut_terrain(region, slope, log); }))
-        slope.scene.terrain.bounds.reset();
     return prepare(slope, place, log);
 }
 
 /// Prepares the largest slope that can be; one that cannot, off the DTM for example, fails alone when it runs. Throws
 /// what is wrong with the largest if none can be.
 void prepare_central(StudyInput& input, const std::optional<Problem>& place, RunLog& log) {
-    const RegionSpec& region = *input.reading.study.region;
     try {
         SceneReading slope = input.central;
-        input.base = prepare_slope(region, slope, place, log);
+        input.base = prepare_slope(slope, place, log);
         input.central = std::move(slope);
         doubt_ground(input.central, input.base, log);
     } catch (const Error& error) {
@@ -78,7 +71,7 @@ void prepare_central(StudyInput& input, const std::optional<Problem>& place, Run
             if (!input.slopes[member].problem.empty()) continue;
             const auto take = [&] {
                 SceneReading slope = input.member(member);
-                input.base = prepare_slope(region, slope, std::nullopt, log);
+                input.base = prepare_slope(slope, std::nullopt, log);
                 input.central = std::move(slope);
             };
             if (attempt(take)) return doubt_ground(input.central, input.base, log);
@@ -121,29 +114,9 @@ std::vector<std::size_t> by_size(const std::vector<Slope>& slopes) {
     return sound;
 }
 
-void cut_terrain(const RegionSpec& region, SceneReading& reading, RunLog& log) {
-    if (reading.scene.terrain.bounds || reading.scene.terrain.dtm.empty() || !reading.scene.release.perimeter) return;
-    const DtmFile dtm = inspect_dtm(reading, log);
-    const GridSpec all = reading.session.read(gis::working_grid, dtm.file, dtm.working_crs, std::nullopt,
-                                              reading.scene.terrain.cell_size);
-    const Bounds box = polygons_of(reading, dtm.working_crs, reading.scene.release.perimeter_layer, false).bounds;
-    if (are_apart(all.bounds(), box))
-        throw Error(ErrorKind::input,
-                    Problem{"the polygon lies outside the DTM", reading.where("release.perimeter"), extent_text(box),
-                            extent_text(all.bounds()), "Check the coordinate reference systems of both files"});
-    if (region.window) {
-        const double by = *region.window;
-        reading.scene.terrain.bounds = Bounds{box.west - by, box.south - by, box.east + by, box.north + by};
-        return;
-    }
-    const double most = static_cast<double>(CellValues::k_most_dense) * all.cell_area();
-    reading.scene.terrain.bounds = flow_window(reading, dtm.file, dtm.working_crs, most);
-}
-
 void prepare_region(StudyInput& input, const std::optional<Problem>& place, RunLog& log) {
     const SceneReading of_all = input.scene_with({});
     prepare_central(input, place, log);
-    input.base.spec.terrain.bounds = of_all.scene.terrain.bounds;
     input.base.spec.release.perimeter_layer = of_all.scene.release.perimeter_layer;
     input.base.scene.time.frame_interval = 0;
     settle_degree(input);
@@ -154,8 +127,6 @@ void prepare_region(StudyInput& input, const std::optional<Problem>& place, RunL
     input.identity = "study = region\n" + values_text(input.table) + scene_identity(input.base);
     const UsedFile polygons = used_polygons("release perimeter of all", *of_all.scene.release.perimeter, layer);
     input.identity += "checksum of the " + polygons.role + " = " + std::to_string(polygons.checksum.value()) + "\n";
-    if (const auto& window = input.reading.study.region->window)
-        input.identity += "region.window = " + shortest_text(*window) + "\n";
 }
 
 }  // namespace frana::app::study

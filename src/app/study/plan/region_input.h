@@ -18,10 +18,6 @@ void find_problems(const std::function<SceneReading(std::size_t)>& scene_of, std
 /// Returns the slopes against which nothing is known, the largest first; if there are none, all.
 std::vector<std::size_t> by_size(const std::vector<Slope>& slopes);
 
-/// Restricts a slope's scene to the terrain that it needs, whatever the size of the DTM; not one with terrain.bounds,
-/// nor one whose need is not known (flow_window), which is run as `frana run` runs it. Throws Error(input).
-void cut_terrain(const RegionSpec& region, SceneReading& reading, RunLog& log);
-
 /// Prepares the slope that stands for all of a region (its material, its time, its output), the largest that can be
 /// prepared, and the outlines of all. Throws Error(input) if none can be.
 void prepare_region(StudyInput& input, const std::optional<Problem>& place, RunLog& log);

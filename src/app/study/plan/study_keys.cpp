@@ -17,7 +17,7 @@ namespace {
 
 using StudyKey = ParameterOf<StudySpec>;
 
-constexpr std::int64_t k_last_seed = 2'147'483'647, k_widest_window = 1'000'000;
+constexpr std::int64_t k_last_seed = 2'147'483'647;
 constexpr const char* k_table_word = "table:";
 
 /// Samplings of earlier versions, and what to use.
@@ -86,20 +86,6 @@ StudyKey column_key(const char* name, Member member, const char* meaning) {
     return key;
 }
 
-StudyKey window_key() {
-    auto key = declare::number<StudySpec>(
-        "region.window", of_region(FRANA_MEMBER(window)), "m", NumberRange{1, static_cast<double>(k_widest_window)},
-        "Terrain of a slope: that under its energy line (auto), or so many metres round its polygon.");
-    key.limits = "auto, or metres from 1 to " + std::to_string(k_widest_window);
-    key.read = [of_number = key.read](StudySpec& study, const std::string& text) {
-        if (text != "auto") return of_number(study, text);
-        study.region->window.reset();
-        return std::optional<ValueProblem>();
-    };
-    key.write = [of_number = key.write](const StudySpec& study) { return of_number(study).value_or("auto"); };
-    return key;
-}
-
 /// The weight of a measure; what is not compared has none.
 StudyKey weight_key(const MeasureRow& row) {
     const auto weight = [measure = row.measure](auto& study) -> auto& {
@@ -157,7 +143,6 @@ std::vector<StudyKey> keys_of(StudyKind kind) {
                              "Which of several events each polygon is; each has maps of its own."));
     add({region}, column_key("region.return-period", FRANA_MEMBER(return_period),
                              "Return period in years, for the degree of hazard."));
-    add({region}, window_key());
     add({calibration},
         declare::number<StudySpec>("objective.exponent", FRANA_MEMBER(exponent), "", NumberRange{0.1, 1000},
                                    "N of the likelihood (misfit)^-N of an event whose survey has no stated error: the "

@@ -27,11 +27,13 @@ namespace {
 /// @param log of its own: its warnings are the member's
 Prepared prepared_member(const StudyInput& input, const MemberTask& task, RunLog& log) {
     SceneReading reading = input.scene_with(task.overrides);
-    if (input.reading.study.region) reading.session.reads = std::make_shared<RememberedReads>();
+    if (input.reading.study.region) {
+        reading.session.reads = std::make_shared<RememberedReads>();
+        reading.reads_on_demand = true;
+    }
     reading.scene.observed = {};  // read once, for the maps
     reading.scene.output.profiles.reset();
     reading.scene.output.exposure.reset();
-    if (const auto& region = input.reading.study.region) cut_terrain(*region, reading, log);
     Prepared prepared = prepare(reading, log);
     prepared.scene.time.frame_interval = 0;
     return prepared;

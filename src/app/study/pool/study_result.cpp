@@ -37,12 +37,13 @@ double severity_of(const Sentence& warning) {
 }  // namespace
 
 MemberResult result_of(MemberRecord record) {
-    return {static_cast<std::size_t>(record.member),
-            record.failure,
-            std::move(record.end),
-            std::move(record.figures),
-            record.engine_seconds,
-            record.grid().bounds()};
+    return {
+        static_cast<std::size_t>(record.member),
+        record.failure,
+        std::move(record.end),
+        std::move(record.figures),
+        record.engine_seconds,
+    };
 }
 
 std::size_t failed_of(const std::vector<MemberResult>& runs) {

@@ -25,7 +25,6 @@ struct MemberResult {
     MemberEnd end;
     std::vector<Figure> figures;
     double engine_seconds = 0;
-    Bounds terrain{};  ///< that it ran on
 };
 
 /// Returns that of a record.

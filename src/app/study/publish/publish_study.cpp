@@ -322,7 +322,7 @@ StudyOutcome publish_study(StudyInput& input, std::size_t members, std::size_t c
     facts.threads = threads;
     facts.computed = computed;
     std::vector<FigureSensitivity> figures;
-    const Bounds map = computed_ground(input);
+    const Bounds map = input.base.scene.grid.bounds();
     if (!result.finished_at.empty()) {
         choose_grid(input, result, log);
         // First of all: what it doubts stands on every map.

@@ -233,24 +233,16 @@ class Builder {
 
     const StudyInput& input_;
     const StudyResult& result_;
-    const gis::ExposedLayer& layer_;
+    const gis::FeatureLayer& layer_;
     std::vector<std::vector<std::size_t>> cells_;
     std::vector<ExposureValues> values_;
 };
 
 }  // namespace
 
-Bounds computed_ground(const StudyInput& input) {
-    const GridSpec& grid = input.base.scene.grid;
-    if (input.slopes.empty()) return grid.bounds();
-    const gis::RasterInfo& file = input.base.ground.file;
-    if (const auto& bounds = input.base.spec.terrain.bounds) return *bounds;
-    return gis::CrsTransform(grid.crs_wkt.empty() ? "" : file.crs_wkt, grid.crs_wkt, file.bounds).around(file.bounds);
-}
-
 void warn_of_unknown_exposure(const StudyInput& input, RunLog& log) {
     if (const auto& exposed = input.base.extra.exposure)
-        app::warn_of_unknown_exposure(*exposed, computed_ground(input),
+        app::warn_of_unknown_exposure(*exposed, input.base.scene.grid.bounds(),
                                       input.reading.study.region ? nullptr : &input.base.scene.terrain, log);
 }
 
@@ -386,7 +378,6 @@ void write_member(const StudyInput& input, std::size_t member, const MemberRecor
                   const ResultDirectory& directory, const std::string& folder) {
     const auto path = [&](const std::string& file) { return directory.path(folder) + "/" + file; };
     SceneSpec scene = input.member(member).scene;
-    if (!input.slopes.empty() && !record.figures.empty()) scene.terrain.bounds = record.grid().bounds();
     if (record.end.end > 0) scene.time.end = record.end.end;
     write_text_file(path(k_scene_file), echoed_scene(scene, directory.target() + "/" + folder));
     const std::pair<const char*, Quantity> k_maps[] = {{RasterName::max_depth, Quantity::depth},

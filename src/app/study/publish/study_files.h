@@ -25,9 +25,6 @@ std::vector<Point> exceedance_curve(const std::vector<double>& values, const std
 /// Returns the charts that a study may have, in the order of the page.
 std::vector<ChartTitle> study_charts();
 
-/// The ground of which a study says something: the working grid, of a region the DTM.
-Bounds computed_ground(const StudyInput& input);
-
 /// Warns of exposed features of which the study will say nothing.
 void warn_of_unknown_exposure(const StudyInput& input, RunLog& log);
 

@@ -45,17 +45,12 @@ std::vector<MemberCell> member_row(const StudyInput& input, const StudyResult& r
     number("member", std::to_string(member.member));
     text("status", member.failure.empty() ? "finished" : "failed");
     number("weight", shortest_text(input.table.weights[member.member]));
-    if (!input.slopes
-             .empty()) {  // what its attributes say, and the terrain on which it ran, as terrain.bounds takes it
+    if (!input.slopes.empty()) {  // what its attributes say
         const Slope& slope = input.slopes[member.member];
-        const Bounds& box = member.terrain;
         text("name", slope.name);
         text("group", slope.group);
         text("scenario", slope.scenario);
         number("return_period", cell(slope.return_period));
-        text("terrain.bounds", member.figures.empty() ? ""
-                                                      : shortest_text(box.west) + " " + shortest_text(box.south) + " " +
-                                                            shortest_text(box.east) + " " + shortest_text(box.north));
     }
     const auto& keys = input.table.keys;
     for (std::size_t k = 0; k < keys.size(); ++k) text(keys[k], input.table.values[member.member][k]);
