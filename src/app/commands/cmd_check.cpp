@@ -129,11 +129,11 @@ std::string corners(const Bounds& box, bool degrees) {
     return text;
 }
 
-void add(TextTable& table, const UsedFile& file) {
+void add(Table& table, const UsedFile& file) {
     const std::string name = file.role + "\n" + std::filesystem::path(file.path).filename().string() +
                              (file.layer.empty() ? "" : "\nlayer " + file.layer);
     const bool placed = !file.crs_label.empty();  // a table of numbers has no position
-    table.add(
+    table.row(
         {name, file.crs_label, placed ? corners(file.bounds, file.degrees) : "", file.content, file.nodata,
          placed ? transform_text(file.transform) + (file.resampling.empty() ? "" : "\nresampling: " + file.resampling)
                 : "",
@@ -143,24 +143,19 @@ void add(TextTable& table, const UsedFile& file) {
 /// Returns every input as interpreted, and the working grid, as one table. `memory_bytes`: memory of a run on that
 /// grid.
 std::string input_table(const Prepared& prepared, std::int64_t memory_bytes) {
-    TextTable table({{"Input", 24},
-                     {"CRS", 22},
-                     {"Extent (west south, east north)", 31},
-                     {"Resolution, content", 22},
-                     {"No data", 14},
-                     {"Operation to the working CRS", 34},
-                     {"Accuracy", 8}});
+    Table table({"Input", "CRS", "Extent (west south, east north)", "Resolution, content", "No data",
+                 "Operation to the working CRS", "Accuracy"});
     for (const UsedFile& file : prepared.files) add(table, file);
     const TerrainInput& ground = prepared.ground;
     const GridSpec& grid = prepared.scene.grid;
     const std::string filled = ground.filled_cells > 0
                                    ? grouped(ground.filled_cells) + " filled"
                                    : "policy " + word_of(prepared.scene.numerics.nodata, k_nodata_policies);
-    table.add({"Working grid", ground.crs_label, corners(grid.bounds(), false),
+    table.row({"Working grid", ground.crs_label, corners(grid.bounds(), false),
                grouped(grid.columns) + " x " + grouped(grid.rows) + " of\n" + shortest_text(grid.cell_size) + " m",
                grouped(ground.nodata_cells) + "\n" + filled,
                "memory of a run: about " + bytes_text(static_cast<double>(memory_bytes)), ""});
-    return table.text(output_width());
+    return table.text(output_width(), {{24}, {22}, {31}, {22}, {14}, {34}, {8}}, true);
 }
 
 }  // namespace

@@ -178,17 +178,17 @@ Json level_rows(const std::vector<SchemeLevels>& schemes) {
 std::string csv_of(const Json& rows) {
     std::vector<std::string> titles;
     for (const auto& [title, value] : rows.front().items()) titles.push_back(title);
-    std::string csv = csv_line(titles);
+    Table table(titles);
     for (const Json& row : rows) {
-        std::vector<std::string> cells;
+        std::vector<Cell> cells;
         for (const Json& value : row)
             cells.push_back(value.is_null()           ? ""
                             : value.is_string()       ? value.get<std::string>()
                             : value.is_number_float() ? shortest_text(value.get<double>())
                                                       : value.dump());
-        csv += csv_line(cells);
+        table.row(cells);
     }
-    return csv;
+    return table.csv();
 }
 
 constexpr double k_good = 0.05;  // error up to which a level counts as good
@@ -264,21 +264,19 @@ std::string decimals(double value, int digits) {
 }
 
 std::string table_text(const std::vector<SchemeLevels>& schemes) {
-    std::vector<TextTable::Column> columns{{"scheme", 13}};
-    for (const char* title :
-         {"cell [m]", "particles", "steps", "CPU [s]", "error [%]", "not converged", "depth [m]", "depth 99.9 % [m]",
-          "velocity [m/s]", "velocity 99.9 % [m/s]", "area [m2]", "run-out [m]"})
-        columns.push_back({title, 12, true});
-    TextTable table(columns, false);
+    Table table({"scheme", "cell [m]", "particles", "steps", "CPU [s]", "error [%]", "not converged", "depth [m]",
+                 "depth 99.9 % [m]", "velocity [m/s]", "velocity 99.9 % [m/s]", "area [m2]", "run-out [m]"});
     for (const SchemeLevels& one : schemes)
         for (const Level& l : one.levels)
-            table.add({one.name(), decimals(l.cell_size, 2), std::to_string(l.particles), std::to_string(l.steps),
+            table.row({one.name(), decimals(l.cell_size, 2), std::to_string(l.particles), std::to_string(l.steps),
                        decimals(l.cpu_seconds, 2), number_text(100 * one.worst(l).first, 2),
                        std::to_string(one.unknown()), decimals(l.statistics.depth.greatest, 2),
                        decimals(l.statistics.depth.p999, 2), decimals(l.statistics.speed.greatest, 2),
                        decimals(l.statistics.speed.p999, 2), decimals(l.statistics.covered_area, 0),
                        decimals(l.statistics.run_out, 1)});
-    return table.text(output_width());
+    std::vector<Table::Layout> columns(table.heads().size(), {12, true});
+    columns.front() = {13};
+    return table.text(output_width(), columns);
 }
 
 /// Which level to take; and how far the schemes are apart on the finest cells, which no error of theirs contains.

@@ -407,9 +407,8 @@ namespace {
 /// Rows of name, value and what the value means.
 class Scores {
   public:
-    Scores() : table_({{"score", 30}, {"value", 18, true}, {"meaning", 56}}, false) {}
     void add(const std::string& name, const std::string& value, const std::string& meaning) {
-        table_.add({name, value, meaning});
+        table_.row({name, value, meaning});
     }
     void add_areas(const ComparisonStatistics& f, const std::string& what) {
         add("observed " + what, grouped(f.observed_area_m2) + " m2", "");
@@ -422,10 +421,10 @@ class Scores {
         add("D2PC", number_text(f.d2pc, 3), "distance to perfect classification: 0 is perfect");
         add("AUROC", number_text(f.auroc, 3), "over all depth thresholds: 1 is perfect");
     }
-    [[nodiscard]] std::string text(std::size_t width) const { return table_.text(width); }
+    [[nodiscard]] std::string text(std::size_t width) const { return table_.text(width, {{30}, {18, true}, {56}}); }
 
   private:
-    TextTable table_;
+    Table table_{{"score", "value", "meaning"}};
 };
 
 }  // namespace

@@ -45,13 +45,6 @@ Paragraph no_warnings(const Words& words, const std::string& kind) {
 
 }  // namespace
 
-Table& Table::number(const std::string& name, const std::string& value, const std::string& unit,
-                     const std::vector<Cell>& more) {
-    std::vector<Cell> cells{name, {value, "n"}, {unit, "u"}};
-    cells.insert(cells.end(), more.begin(), more.end());
-    return row(std::move(cells));
-}
-
 Document& Document::paragraph(const std::string& lead, const std::string& text) {
     return add(Paragraph{{{kept_together(text)}}, lead});
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/pictures/charts.h"
+#include "app/text/text_table.h"
 #include "core/words/warning.h"
 #include "core/words/words.h"
 
@@ -34,44 +35,6 @@ struct Paragraph {
 
 struct List {
     std::vector<std::string> items;
-};
-
-/// A cell of a table.
-struct Cell {
-    Cell(std::string words) : text(std::move(words)) {}
-    Cell(const char* words) : text(words) {}
-    Cell(std::string words, std::string of_kind, std::string part_name = {})
-        : text(std::move(words)), kind(std::move(of_kind)), part(std::move(part_name)) {}
-
-    std::string text;
-    std::string kind{};    ///< "n": a number, "u": its unit, "soft"
-    std::string part{};    ///< name by which another command can replace it
-    std::string swatch{};  ///< colour before the text, "#rrggbb"
-};
-
-/// The head is repeated on each printed page.
-class Table {
-  public:
-    explicit Table(std::vector<std::string> heads = {}, std::string kind = {})
-        : heads_(std::move(heads)), kind_(std::move(kind)) {}
-
-    /// @param kind "given", "warning"; empty: none
-    Table& row(std::vector<Cell> cells, const std::string& kind = {}) {
-        rows_.emplace_back(kind, std::move(cells));
-        return *this;
-    }
-    /// A name, a number aligned to the right, its unit, and perhaps more.
-    Table& number(const std::string& name, const std::string& value, const std::string& unit,
-                  const std::vector<Cell>& more = {});
-
-    [[nodiscard]] const std::vector<std::string>& heads() const noexcept { return heads_; }
-    [[nodiscard]] const std::string& kind() const noexcept { return kind_; }
-    [[nodiscard]] const std::vector<std::pair<std::string, std::vector<Cell>>>& rows() const noexcept { return rows_; }
-
-  private:
-    std::vector<std::string> heads_;
-    std::string kind_;
-    std::vector<std::pair<std::string, std::vector<Cell>>> rows_;
 };
 
 /// A picture: a PNG file, which is embedded when the page is written, or an SVG file; or a drawing as SVG text. A

@@ -160,71 +160,86 @@ void end_line(std::string& line, std::string& text) {
 
 }  // namespace
 
-std::vector<std::size_t> TextTable::widths(std::size_t width) const {
+Table& Table::number(const std::string& name, const std::string& value, const std::string& unit,
+                     const std::vector<Cell>& more) {
+    std::vector<Cell> cells{name, {value, "n"}, {unit, "u"}};
+    cells.insert(cells.end(), more.begin(), more.end());
+    return row(std::move(cells));
+}
+
+std::string Table::csv() const {
+    std::string text = csv_line(heads_);
+    for (const auto& [kind, cells] : rows_) {
+        std::vector<std::string> texts;
+        for (const Cell& cell : cells) texts.push_back(cell.text);
+        text += csv_line(texts);
+    }
+    return text;
+}
+
+std::vector<std::size_t> Table::widths(std::size_t width, const std::vector<Layout>& columns) const {
     std::vector<std::size_t> widths, least;
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-        widths.push_back(widest_line(wrapped(columns_[i].title, columns_[i].widest)));
-        least.push_back(longest_whole_word(columns_[i].title));
-        for (const auto& row : rows_) {
-            widths[i] = std::max(widths[i], widest_line(wrapped(row.at(i), columns_[i].widest)));
-            least[i] = std::max(least[i], longest_whole_word(row.at(i)));
+    for (std::size_t i = 0; i < heads_.size(); ++i) {
+        widths.push_back(widest_line(wrapped(heads_[i], columns[i].widest)));
+        least.push_back(longest_whole_word(heads_[i]));
+        for (const auto& [kind, row] : rows_) {
+            widths[i] = std::max(widths[i], widest_line(wrapped(row.at(i).text, columns[i].widest)));
+            least[i] = std::max(least[i], longest_whole_word(row.at(i).text));
         }
     }
-    const std::size_t gaps = k_gap * (columns_.size() - 1);
+    const std::size_t gaps = k_gap * (heads_.size() - 1);
     for (std::size_t all = std::accumulate(widths.begin(), widths.end(), gaps); all > width; --all) {
-        std::size_t widest = columns_.size();
+        std::size_t widest = heads_.size();
         for (std::size_t i = 0; i < widths.size(); ++i)
-            if (widths[i] > least[i] && (widest == columns_.size() || widths[i] > widths[widest])) widest = i;
-        if (widest == columns_.size()) return {};
+            if (widths[i] > least[i] && (widest == heads_.size() || widths[i] > widths[widest])) widest = i;
+        if (widest == heads_.size()) return {};
         --widths[widest];
     }
     return widths;
 }
 
-std::string TextTable::as_lists(std::size_t width) const {
+std::string Table::as_lists(std::size_t width) const {
     std::string text;
-    for (const auto& row : rows_) {
-        for (std::size_t i = 0; i < columns_.size(); ++i) {
-            if (row[i].empty()) continue;
-            std::string cell = row[i];
+    for (const auto& [kind, row] : rows_) {
+        for (std::size_t i = 0; i < heads_.size(); ++i) {
+            if (row[i].text.empty()) continue;
+            std::string cell = row[i].text;
             std::replace(cell.begin(), cell.end(), '\n', ' ');
-            for (const std::string& line : wrapped(columns_[i].title + ": " + cell, width)) text += line + '\n';
+            for (const std::string& line : wrapped(heads_[i] + ": " + cell, width)) text += line + '\n';
         }
         text += '\n';
     }
     return text;
 }
 
-std::string TextTable::text(std::size_t width) const {
-    const std::vector<std::size_t> wide = widths(width);
+std::string Table::text(std::size_t width, const std::vector<Layout>& columns, bool ruled) const {
+    const std::vector<std::size_t> wide = widths(width, columns);
     if (wide.empty()) return as_lists(width);
     std::string text;
-    const auto put = [&](const std::vector<std::string>& cells) {
+    const auto put = [&](const auto& text_of) {
         std::vector<std::vector<std::string>> lines;
         std::size_t height = 1;
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-            lines.push_back(wrapped(cells[i], wide[i]));
+        for (std::size_t i = 0; i < wide.size(); ++i) {
+            lines.push_back(wrapped(text_of(i), wide[i]));
             height = std::max(height, lines.back().size());
         }
         for (std::size_t k = 0; k < height; ++k) {
             std::string line;
             for (std::size_t i = 0; i < lines.size(); ++i)
-                line += padded(k < lines[i].size() ? lines[i][k] : "", wide[i], columns_[i].right) +
-                        std::string(k_gap, ' ');
+                line +=
+                    padded(k < lines[i].size() ? lines[i][k] : "", wide[i], columns[i].right) + std::string(k_gap, ' ');
             end_line(line, text);
         }
     };
     const auto rule = [&] {
         std::string line;
-        for (const std::size_t columns : wide) line += std::string(columns, '-') + std::string(k_gap, ' ');
+        for (const std::size_t columns_of : wide) line += std::string(columns_of, '-') + std::string(k_gap, ' ');
         end_line(line, text);
     };
-    std::vector<std::string> titles;
-    for (const Column& column : columns_) titles.push_back(column.title);
-    put(titles);
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-        if (ruled_ || i == 0) rule();
-        put(rows_[i]);
+    put([&](std::size_t i) { return heads_[i]; });
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+        if (ruled || r == 0) rule();
+        put([&](std::size_t i) { return rows_[r].second.at(i).text; });
     }
     return text;
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace frana::app {
@@ -33,31 +34,59 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t columns);
 /// Pads with spaces to so many columns, on the left if `right`.
 std::string padded(const std::string& text, std::size_t columns, bool right = false);
 
-/// A table for a terminal: cells wrap at spaces, a newline in a cell starts another line of it. Letters count as they
-/// are displayed.
-class TextTable {
+/// A cell of a table.
+struct Cell {
+    Cell(std::string words) : text(std::move(words)) {}
+    Cell(const char* words) : text(words) {}
+    Cell(std::string words, std::string of_kind, std::string part_name = {})
+        : text(std::move(words)), kind(std::move(of_kind)), part(std::move(part_name)) {}
+
+    std::string text;
+    // Of a page alone:
+    std::string kind{};    ///< "n": a number, "u": its unit, "soft"
+    std::string part{};    ///< name by which another command can replace it
+    std::string swatch{};  ///< colour before the text, "#rrggbb"
+};
+
+/// A table, built once and written as a CSV file, as text for a terminal, or as a part of a page (html_page.h).
+class Table {
   public:
-    struct Column {
-        std::string title;
+    /// A column on a terminal.
+    struct Layout {
         std::size_t widest;  ///< columns of the terminal
         bool right = false;  ///< aligned there, as numbers are
     };
-    /// @param ruled a rule between all rows, for cells of several lines
-    explicit TextTable(std::vector<Column> columns, bool ruled = true) : columns_(std::move(columns)), ruled_(ruled) {}
+    /// @param kind of a page's table
+    explicit Table(std::vector<std::string> heads = {}, std::string kind = {})
+        : heads_(std::move(heads)), kind_(std::move(kind)) {}
 
-    /// One cell per column.
-    void add(const std::vector<std::string>& cells) { rows_.push_back(cells); }
-    /// Returns the table at most so wide: its widest columns are narrowed; if short words would be torn, each row
-    /// becomes a list of titles and cells.
-    [[nodiscard]] std::string text(std::size_t width) const;
+    /// @param kind "given", "warning"; empty: none
+    Table& row(std::vector<Cell> cells, const std::string& kind = {}) {
+        rows_.emplace_back(kind, std::move(cells));
+        return *this;
+    }
+    /// A name, a number aligned to the right, its unit, and perhaps more.
+    Table& number(const std::string& name, const std::string& value, const std::string& unit,
+                  const std::vector<Cell>& more = {});
+
+    /// Returns the lines of a CSV file: csv_line() of the heads and of each row.
+    [[nodiscard]] std::string csv() const;
+    /// Returns the table at most so wide: cells wrap at spaces, a newline in a cell starts another line of it. Its
+    /// widest columns are narrowed; if short words would be torn, each row becomes a list of titles and cells.
+    /// @param ruled a rule between all rows, for cells of several lines
+    [[nodiscard]] std::string text(std::size_t width, const std::vector<Layout>& columns, bool ruled = false) const;
+
+    [[nodiscard]] const std::vector<std::string>& heads() const noexcept { return heads_; }
+    [[nodiscard]] const std::string& kind() const noexcept { return kind_; }
+    [[nodiscard]] const std::vector<std::pair<std::string, std::vector<Cell>>>& rows() const noexcept { return rows_; }
 
   private:
-    [[nodiscard]] std::vector<std::size_t> widths(std::size_t width) const;
+    [[nodiscard]] std::vector<std::size_t> widths(std::size_t width, const std::vector<Layout>& columns) const;
     [[nodiscard]] std::string as_lists(std::size_t width) const;
 
-    std::vector<Column> columns_;
-    bool ruled_;
-    std::vector<std::vector<std::string>> rows_;
+    std::vector<std::string> heads_;
+    std::string kind_;
+    std::vector<std::pair<std::string, std::vector<Cell>>> rows_;
 };
 
 /// Returns "  name   value", the value wrapped beside the name.

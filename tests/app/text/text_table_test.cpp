@@ -32,28 +32,31 @@ TEST(DisplayWidth, WrapsAtSpacesAndBreaksLongWords) {
     EXPECT_EQ(wrapped("", 5), std::vector<std::string>{});
 }
 
-TEST(TextTable, IsAsNarrowAsAsked) {
-    TextTable table({{"Bezeichnung", 30}, {"Wert", 20, true}});
-    table.add({"Mächtigkeit der Rutschmasse am Hang", "12.5 m"});
-    table.add({"滑坡体的最大厚度", "1"});
+TEST(Table, IsAsNarrowAsAsked) {
+    Table table({"Bezeichnung", "Wert"});
+    const std::vector<Table::Layout> columns{{30}, {20, true}};
+    table.row({"Mächtigkeit der Rutschmasse am Hang", "12.5 m"});
+    table.row({"滑坡体的最大厚度", "1"});
     for (const std::size_t width : {100U, 40U, 24U, 18U, 10U}) {
-        const std::string text = table.text(width);
+        const std::string text = table.text(width, columns, true);
         for (const std::string& line : lines_of(text)) EXPECT_LE(display_width(line), width) << text;
     }
     // The columns of numbers end in the same place, also beside wide letters.
-    const auto lines = lines_of(table.text(100));
+    const auto lines = lines_of(table.text(100, columns, true));
     for (const std::string& line : lines) {
         const bool ends_with_number = line.ends_with("12.5 m") || line.ends_with(" 1");
-        EXPECT_TRUE(!ends_with_number || display_width(line) == display_width(lines[1])) << table.text(100);
+        EXPECT_TRUE(!ends_with_number || display_width(line) == display_width(lines[1]))
+            << table.text(100, columns, true);
     }
 }
 
 // Words of 9, 10 and 10 letters and two gaps need 33 columns.
-TEST(TextTable, TearsNoShortWord) {
-    TextTable table({{"Input", 20}, {"CRS", 20}, {"Extent", 20}});
-    table.add({"perimeter of the release", "EPSG:32632", "361015.60\n5094023.40"});
+TEST(Table, TearsNoShortWord) {
+    Table table({"Input", "CRS", "Extent"});
+    const std::vector<Table::Layout> columns{{20}, {20}, {20}};
+    table.row({"perimeter of the release", "EPSG:32632", "361015.60\n5094023.40"});
     for (const std::size_t width : {80U, 40U, 34U, 33U, 20U}) {
-        const std::string text = table.text(width);
+        const std::string text = table.text(width, columns, true);
         for (const char* word : {"perimeter", "EPSG:32632", "361015.60", "5094023.40"})
             EXPECT_NE(text.find(word), std::string::npos) << width << "\n" << text;
         for (const std::string& line : lines_of(text)) EXPECT_LE(display_width(line), width) << text;
@@ -61,12 +64,12 @@ TEST(TextTable, TearsNoShortWord) {
     }
 }
 
-TEST(TextTable, FactsAreWrappedBesideTheirName) {
+TEST(Table, FactsAreWrappedBesideTheirName) {
     EXPECT_EQ(fact_line("terms", "friction and turbulence of the bed, everywhere", 45),
               "  terms            friction and turbulence of\n                   the bed, everywhere\n");
 }
 
-TEST(TextTable, FoldedLinesKeepTheirIndentation) {
+TEST(Table, FoldedLinesKeepTheirIndentation) {
     EXPECT_EQ(folded("short\n    a long line of some words here\n", 22),
               "short\n    a long line of\n      some words here\n");
 }

@@ -66,39 +66,40 @@ std::vector<MemberCell> member_row(const StudyInput& input, const StudyResult& r
 }
 
 std::string members_csv(const StudyInput& input, const StudyResult& result) {
-    std::string text;
+    Table table;
     for (const MemberResult& member : result.members) {
-        std::vector<std::string> heads, cells;
+        std::vector<std::string> heads;
+        std::vector<Cell> cells;
         for (const MemberCell& one : member_row(input, result, member)) {
             heads.push_back(one.name);
             cells.push_back(one.text);
         }
-        text += (text.empty() ? csv_line(heads) : "") + csv_line(cells);
+        if (table.rows().empty()) table = Table(heads);
+        table.row(cells);
     }
-    return text;
+    return table.csv();
 }
 
 std::string sensitivity_csv(const StudyInput& input, const std::vector<FigureSensitivity>& figures) {
-    std::string text = csv_line({"figure", "key", "first_order", "total", "rank_correlation", "rank_low", "rank_high",
-                                 "method", "q2", "effect", "effect_low", "effect_high", "effect_deviation"});
+    Table table({"figure", "key", "first_order", "total", "rank_correlation", "rank_low", "rank_high", "method", "q2",
+                 "effect", "effect_low", "effect_high", "effect_deviation"});
     const auto of = [](const std::optional<Interval>& interval, double Interval::*member) {
         return interval ? cell((*interval).*member) : "";
     };
     for (const FigureSensitivity& figure : figures) {
         for (std::size_t k = 0; k < figure.keys.size(); ++k) {
             const KeySensitivity& one = figure.keys[k];
-            text +=
-                csv_line({figure.figure.key, input.table.keys[k], cell(one.first_order), cell(one.total),
-                          of(one.rank_correlation, &Interval::value), of(one.rank_correlation, &Interval::low),
-                          of(one.rank_correlation, &Interval::high), one.method.empty() ? "not measurable" : one.method,
-                          cell(figure.q2), of(one.effect, &Interval::value), of(one.effect, &Interval::low),
-                          of(one.effect, &Interval::high), one.effect ? cell(one.effect_scatter) : ""});
+            table.row({figure.figure.key, input.table.keys[k], cell(one.first_order), cell(one.total),
+                       of(one.rank_correlation, &Interval::value), of(one.rank_correlation, &Interval::low),
+                       of(one.rank_correlation, &Interval::high), one.method.empty() ? "not measurable" : one.method,
+                       cell(figure.q2), of(one.effect, &Interval::value), of(one.effect, &Interval::low),
+                       of(one.effect, &Interval::high), one.effect ? cell(one.effect_scatter) : ""});
         }
         if (!std::isnan(figure.q2))
-            text += csv_line({figure.figure.key, k_not_explained, shortest_text(std::min(1.0, 1 - figure.q2)), "", "",
-                              "", "", "polynomial chaos", cell(figure.q2), "", "", "", ""});
+            table.row({figure.figure.key, k_not_explained, shortest_text(std::min(1.0, 1 - figure.q2)), "", "", "", "",
+                       "polynomial chaos", cell(figure.q2), "", "", "", ""});
     }
-    return text;
+    return table.csv();
 }
 
 ShownFriction shown_friction(const StudyInput& input) {
