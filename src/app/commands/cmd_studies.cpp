@@ -250,15 +250,15 @@ StudyWords words_of(study::StudyKind kind) {
 }
 
 /// The files that a study needs: its result must not replace them.
-std::vector<std::string> files_of(const study::StudyTexts& texts) {
+std::vector<std::string> files_of(const study::StudyInput& texts) {
     std::vector<std::string> files = input_files(texts.central.scene);
     files.push_back(texts.reading.study.file);
-    for (const study::StudyTexts& event : texts.events)
+    for (const study::StudyInput& event : texts.own)
         for (std::string& file : input_files(event.central.scene)) files.push_back(std::move(file));
     return files;
 }
 
-study::StudyInput prepared(study::StudyTexts texts, const std::optional<Problem>& place, RunLog& log) {
+study::StudyInput prepared(study::StudyInput texts, const std::optional<Problem>& place, RunLog& log) {
     study::StudyInput input = study::prepare_study(std::move(texts), place, log);
     if (!input.spec().is_calibration()) study::warn_of_unknown_exposure(input, log);
     return input;
@@ -315,7 +315,7 @@ int run_study(const CommandForm& form, study::StudyKind kind, const Arguments& a
     RunLog log(quiet);
     const Session session = session_of(*values, log);
 
-    study::StudyTexts texts = study::read_study_texts(file, kind, session, log);
+    study::StudyInput texts = study::read_study_texts(file, kind, session, log);
     const auto out = text_option(*values, "out");
     const std::string place = out.value_or(study_directory(texts.reading.study, texts.central.scene)),
                       target = result_path(place);

@@ -310,7 +310,7 @@ void add_scene(const study::StudyInput& input, const std::vector<SlopePlan>& pla
 
 Json check_study(const std::string& path, study::StudyKind kind, const std::optional<std::string>& out, int threads,
                  bool print, const Session& session, RunLog& log) {
-    study::StudyTexts texts = study::read_study_texts(path, kind, session, log);
+    study::StudyInput texts = study::read_study_texts(path, kind, session, log);
     const std::string directory = out.value_or(study_directory(texts.reading.study, texts.central.scene));
     const std::optional<Problem> place = check_result_directory(
         directory, Older::unknown, {}, out ? "--out" : "the result's place", texts.central.problems);

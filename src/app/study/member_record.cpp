@@ -25,6 +25,11 @@ namespace {
 constexpr std::uint32_t k_format = 5;
 constexpr std::size_t k_head_bytes = RecordHead::k_bytes - sizeof MemberRecord::member;
 
+/// By Quantity.
+constexpr std::vector<float> MemberRecord::*k_values[] = {&MemberRecord::depth,     &MemberRecord::velocity,
+                                                          &MemberRecord::arrival,   &MemberRecord::pressure,
+                                                          &MemberRecord::intensity, &MemberRecord::deposit};
+
 void add_bytes(std::string& bytes, const void* from, std::size_t count) {
     bytes.append(static_cast<const char*>(from), count);
 }
@@ -79,9 +84,6 @@ double value_of(const std::vector<Figure>& figures, const std::string& key) {
 }
 
 const std::vector<float>& MemberRecord::of(Quantity quantity) const noexcept {
-    constexpr std::vector<float> MemberRecord::*k_values[] = {&MemberRecord::depth,     &MemberRecord::velocity,
-                                                              &MemberRecord::arrival,   &MemberRecord::pressure,
-                                                              &MemberRecord::intensity, &MemberRecord::deposit};
     return this->*k_values[static_cast<std::size_t>(quantity)];
 }
 
@@ -127,6 +129,12 @@ MemberRecord empty_record(std::uint64_t member, const GridSpec& grid) {
     record.cell_size = grid.cell_size;
     record.columns = grid.columns;
     record.rows = grid.rows;
+    return record;
+}
+
+MemberRecord without_cells(MemberRecord record) {
+    record.runs = {};
+    for (std::vector<float> MemberRecord::*const of : k_values) record.*of = {};
     return record;
 }
 
@@ -215,11 +223,10 @@ std::optional<MemberRecord> record_from(const std::string& bytes) {
         StateReader::require(next == end);
         std::uint64_t cells = 0;
         for (const CellRun& run : record.runs) cells += run.count;
-        StateReader::require(cells == record.depth.size() && cells == record.velocity.size() &&
-                             cells == record.arrival.size() &&
-                             (record.pressure.empty() || cells == record.pressure.size()) &&
-                             (record.intensity.empty() || cells == record.intensity.size()) &&
-                             (record.deposit.empty() || cells == record.deposit.size()));
+        for (const Quantity quantity : {Quantity::depth, Quantity::velocity, Quantity::arrival})
+            StateReader::require(cells == record.of(quantity).size());
+        for (const Quantity quantity : {Quantity::pressure, Quantity::intensity, Quantity::deposit})
+            StateReader::require(record.of(quantity).empty() || cells == record.of(quantity).size());
     } catch (const Error&) {
         return std::nullopt;
     }

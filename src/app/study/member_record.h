@@ -79,7 +79,7 @@ void serialise(Archive& archive, MemberEnd& end) {
 
 /// All that is kept of a member.
 struct MemberRecord {
-    std::uint64_t member = 0;
+    std::size_t member = 0;
     std::string key_values;  ///< "key=value" line by line, files without their folders
     MemberEnd end;
     std::string failure;                        ///< why its figures and maps are not used; empty: it is finished
@@ -132,6 +132,9 @@ void serialise(Archive& archive, MemberRecord& record) {
 
 /// Returns a record without figures and cells, of a member on a grid.
 MemberRecord empty_record(std::uint64_t member, const GridSpec& grid);
+/// Returns all of a record but its cells.
+MemberRecord without_cells(MemberRecord record);
+
 /// What a surveyed deposit is compared with: an outline with the depth at the end, a change of elevation with the
 /// run's.
 enum class Deposit { none, final_depth, elevation_change };

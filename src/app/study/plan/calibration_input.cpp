@@ -302,16 +302,6 @@ MemberAgreement EventSurvey::compare(const MemberRecord& record) const {
 
 namespace {
 
-/// Prepares what can be prepared; problems are collected over all events.
-std::optional<StudyInput> prepared_event(StudyTexts texts, const std::optional<Problem>& place, RunLog& log,
-                                         Problems& problems) {
-    Problems of_event;
-    auto event = attempt(of_event, [&] { return std::optional(prepare_study(std::move(texts), place, log)); });
-    problems.add(of_event);
-    if (event) event->runs_on = false;
-    return event;
-}
-
 bool weighs(const StudySpec& calibration, Evidence evidence) {
     return std::any_of(calibration.objective.begin(), calibration.objective.end(),
                        [&](const Weight& one) { return row_of(one.measure).needs == evidence; });
@@ -385,7 +375,7 @@ SampleTable members_at(const StudyReading& reading, std::size_t event, const Pla
     return samples_at(calibration.of_event(event), of_event, reading.label, problems);
 }
 
-void read_events(StudyTexts& texts, RunLog& log) {
+void read_events(StudyInput& texts, RunLog& log) {
     const StudySpec& calibration = texts.reading.study;
     Problems problems = texts.reading.problems;
     StudySpec first = calibration.of_all_events();
@@ -400,29 +390,30 @@ void read_events(StudyTexts& texts, RunLog& log) {
         Problems of_scene;  // the scene may be no INI
         attempt(of_scene, [&] {
             const StudyReading event{calibration.of_event(e), texts.reading.session, {}, texts.reading.label};
-            StudyTexts one = read_study_scenes(event, std::move(table));
+            StudyInput one = read_study_scenes(event, std::move(table));
             problems.add(one.central.problems);
             warn_of_changed_inputs(calibration.file, one.central, log);
-            texts.events.push_back(std::move(one));
+            texts.own.push_back(std::move(one));
         });
         problems.add(of_scene);
     }
-    if (texts.events.empty()) problems.throw_if_any();
-    texts.central = texts.events.front().central;
+    if (texts.own.empty()) problems.throw_if_any();
+    texts.central = texts.own.front().central;
     texts.central.problems = std::move(problems);
 }
 
-StudyInput prepare_events(StudyTexts texts, const std::optional<Problem>& place, RunLog& log) {
-    StudyInput input;
-    input.reading = std::move(texts.reading);
-    input.design = std::move(texts.design);
+void prepare_events(StudyInput& input, const std::optional<Problem>& place, RunLog& log) {
     const StudySpec& calibration = input.spec();
-    Problems problems = std::move(texts.central.problems);
+    Problems problems = std::move(input.central.problems);
     const bool alone = problems.empty();  // then a place that cannot be written is an error of the environment
     if (place && !alone) problems.add(*place);
-    for (std::size_t e = 0; e < texts.events.size(); ++e) {
-        auto own = prepared_event(std::move(texts.events[e]), e == 0 && alone ? place : std::nullopt, log, problems);
-        if (own) input.own.push_back(std::move(*own));
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        Problems of_event;
+        attempt(of_event, [&] {
+            input.own[e] = prepare_study(std::move(input.own[e]), e == 0 && alone ? place : std::nullopt, log);
+            input.own[e].runs_on = false;
+        });
+        problems.add(of_event);
     }
     problems.throw_if_any();
     check_evidence(input, problems);
@@ -434,7 +425,6 @@ StudyInput prepare_events(StudyTexts texts, const std::optional<Problem>& place,
         compare_by_survey(calibration, input.own[e]);
         input.identity += "event " + calibration.events[e].name + ":\n" + input.own[e].identity;
     }
-    return input;
 }
 
 }  // namespace frana::app::study

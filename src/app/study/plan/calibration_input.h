@@ -81,11 +81,11 @@ class EventSurvey {
 
 /// Draws the first members of a calibration, and reads their scenes. Throws Error(input) only if no event has a scene
 /// that can be read.
-void read_events(StudyTexts& texts, RunLog& log);
+void read_events(StudyInput& texts, RunLog& log);
 
 /// Prepares the scenes of all events, and checks that each has what is compared with it. Throws Error(input) with every
 /// problem found, and with that of the result's place as prepare().
-StudyInput prepare_events(StudyTexts texts, const std::optional<Problem>& place, RunLog& log);
+void prepare_events(StudyInput& input, const std::optional<Problem>& place, RunLog& log);
 
 /// Returns the members of one event at places in all keys; problems of their values are those of the members.
 SampleTable members_at(const StudyReading& reading, std::size_t event, const Places& places, Problems& problems);

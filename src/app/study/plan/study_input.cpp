@@ -108,7 +108,7 @@ void take_friction_period(RegionSpec& region, const FrictionTableSpec& table) {
 }
 
 /// Refuses releases of one return period on the friction of another.
-void require_friction_period(const FrictionTableSpec& table, StudyTexts& members) {
+void require_friction_period(const FrictionTableSpec& table, StudyInput& members) {
     const auto& keys = members.table.keys;
     const auto place = std::find(keys.begin(), keys.end(), k_friction_period) - keys.begin();
     for (std::size_t i = 0; i < members.slopes.size(); ++i) {
@@ -128,7 +128,7 @@ void require_friction_period(const FrictionTableSpec& table, StudyTexts& members
 }
 
 /// Adds the columns of a region to the values of its members.
-void add_columns(const gis::PolygonLayer& layer, StudyTexts& members) {
+void add_columns(const gis::PolygonLayer& layer, StudyInput& members) {
     const StudySpec& study = members.reading.study;
     const RegionSpec& region = *study.region;
     const std::vector<Parameter>& parameters = scene_parameters();
@@ -155,7 +155,7 @@ void add_columns(const gis::PolygonLayer& layer, StudyTexts& members) {
 /// Adds a member for each polygon of a scene's release perimeter, in the order of the file: release.perimeter-filter
 /// selects it. Adds a problem if the scene names none, or it cannot be read, or no polygon has a column that the region
 /// names, or one scenario has several return periods. What is wrong with a single slope is only kept with it.
-void add_polygons(const SceneReading& scene, StudyTexts& members) {
+void add_polygons(const SceneReading& scene, StudyInput& members) {
     Problems& problems = members.reading.problems;
     const std::string& label = members.reading.label;
     const ReleaseSpec& release = scene.scene.release;
@@ -288,7 +288,7 @@ std::vector<std::string> central_overrides(const StudySpec& study, const SampleT
 }
 
 /// Reads the scenes of the central member and of all members, and adds all problems to those of the former.
-void read_scenes(const std::vector<std::string>& central, bool quiet, StudyTexts& texts) {
+void read_scenes(const std::vector<std::string>& central, bool quiet, StudyInput& texts) {
     Problems& problems = texts.reading.problems;
     // The scene may be no INI.
     if (!attempt(problems, [&] { texts.central = read_member(texts.reading, central); })) problems.throw_if_any();
@@ -325,9 +325,9 @@ SceneReading StudyInput::scene_with(const std::vector<std::string>& overrides) c
     return read_member(reading, overrides);
 }
 
-StudyTexts read_study_texts(const std::string& path, StudyKind kind, const Session& session, RunLog& log,
+StudyInput read_study_texts(const std::string& path, StudyKind kind, const Session& session, RunLog& log,
                             const std::optional<std::int64_t>& samples) {
-    StudyTexts texts;
+    StudyInput texts;
     texts.reading = read_study(path, kind);
     if (samples) texts.reading.study.samples = *samples;
     texts.reading.session = session;
@@ -367,21 +367,19 @@ StudyTexts read_study_texts(const std::string& path, StudyKind kind, const Sessi
     return texts;
 }
 
-StudyTexts read_study_scenes(StudyReading reading, SampleTable table) {
-    StudyTexts texts;
+StudyInput read_study_scenes(StudyReading reading, SampleTable table) {
+    StudyInput texts;
     texts.reading = std::move(reading);
     texts.table = std::move(table);
     read_scenes(central_overrides(texts.reading.study, texts.table), true, texts);
     return texts;
 }
 
-StudyInput prepare_study(StudyTexts texts, const std::optional<Problem>& place, RunLog& log) {
-    if (texts.reading.study.is_calibration()) return prepare_events(std::move(texts), place, log);
-    StudyInput input;
-    input.reading = std::move(texts.reading);
-    input.table = std::move(texts.table);
-    input.slopes = std::move(texts.slopes);
-    input.central = std::move(texts.central);
+StudyInput prepare_study(StudyInput input, const std::optional<Problem>& place, RunLog& log) {
+    if (input.spec().is_calibration()) {
+        prepare_events(input, place, log);
+        return input;
+    }
     // Whatever several members need is read once.
     input.reading.session.reads = input.central.session.reads = std::make_shared<RememberedReads>();
     Problems problems;

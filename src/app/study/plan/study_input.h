@@ -26,12 +26,13 @@ struct Slope {
     MultiPolygon outline;  ///< in the working CRS, once that is known
 };
 
-/// A study with everything checked that can be checked before its members run. Of a calibration each event is a study.
+/// A study with everything checked that can be checked before its members run: read_study_texts(), then
+/// prepare_study(). Of a calibration each event is a study.
 struct StudyInput {
     StudyReading reading;
     SampleTable table;
-    Prepared base;                            ///< the central member: medians, likeliest choices
-    SceneReading central;                     ///< from which it was prepared
+    SceneReading central;                     ///< the central member: medians, likeliest choices
+    Prepared base;                            ///< the same, prepared
     std::vector<ReleaseArea> other_releases;  ///< of members with other files, for maps
     std::vector<Slope> slopes;                ///< of a region, by member
     /// One fact per line: the study, every member's values, the scenes and their data. Two studies with the same
@@ -55,30 +56,21 @@ struct StudyInput {
     [[nodiscard]] SceneReading scene_with(const std::vector<std::string>& overrides) const;
 };
 
-/// A study whose files have been read as text: where its result goes is known, and all problems so far.
-struct StudyTexts {
-    StudyReading reading;
-    SampleTable table;
-    std::vector<Slope> slopes;
-    SceneReading central;  ///< its problems contain those of the study and of all members; of a calibration the first's
-    Places design;         ///< StudyInput::design
-    std::vector<StudyTexts> events;  ///< of a calibration
-};
-
-/// Reads study, table and scenes, draws the members, of a calibration the first, and reads the scene of each. The study
+/// Reads study, table and scenes, draws the members, of a calibration the first, and reads the scene of each: where its
+/// result goes is then known, and `central` has the problems of the study and of all members. The study
 /// file of a result, which may have been moved, finds its inputs as find_recorded_inputs() those of a scene. Throws
 /// Error(input) only if a file is no INI, no scene is named, or an input of such a result is missing.
 /// @param samples in place of study.samples
-StudyTexts read_study_texts(const std::string& path, StudyKind kind, const Session& session, RunLog& log,
+StudyInput read_study_texts(const std::string& path, StudyKind kind, const Session& session, RunLog& log,
                             const std::optional<std::int64_t>& samples = std::nullopt);
 
 /// The same for members that are known already.
-StudyTexts read_study_scenes(StudyReading reading, SampleTable table);
+StudyInput read_study_scenes(StudyReading reading, SampleTable table);
 
 /// Prepares the central member, and a member for each value of keys without order, such as files; of a calibration
 /// those of each event, which must have what is compared. Throws Error(input) with every problem found, and with that
 /// of the result's place as prepare().
-StudyInput prepare_study(StudyTexts texts, const std::optional<Problem>& place, RunLog& log);
+StudyInput prepare_study(StudyInput input, const std::optional<Problem>& place, RunLog& log);
 
 /// Events "a quantity exceeds a threshold" whose probability a study maps.
 struct MappedEvents {

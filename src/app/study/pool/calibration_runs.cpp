@@ -47,7 +47,7 @@ void compare_members(const StudyInput& input, std::size_t event, const StudyInpu
     FinishedMembers finished;
     const RecordFiles records(runs.records);
     for (std::size_t i = first; i < members.table.size(); ++i) {
-        runs.members.push_back(result_of(require_own_record(members, records.place(i), i)));
+        runs.members.push_back(without_cells(require_own_record(members, records.place(i), i)));
         if (runs.members.back().failure.empty()) finished.records.push_back(records.place(i));
     }
     const EventSurvey survey(base, input.spec().events[event], input.spec().objective,
@@ -91,8 +91,8 @@ std::vector<std::vector<double>> CalibrationRuns::misfits() const {
     return all;
 }
 
-std::vector<MemberResult> CalibrationRuns::runs() const {
-    std::vector<MemberResult> all;
+std::vector<MemberRecord> CalibrationRuns::runs() const {
+    std::vector<MemberRecord> all;
     for (const EventRuns& event : events) all.insert(all.end(), event.members.begin(), event.members.end());
     return all;
 }

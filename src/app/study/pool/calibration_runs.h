@@ -17,7 +17,7 @@ namespace frana::app::study {
 /// Runs of one event, and how far they are from its survey.
 struct EventRuns {
     std::vector<Weight> measures;  ///< of MemberAgreement::parts
-    std::vector<MemberResult> members;
+    std::vector<MemberRecord> members;
     std::vector<MemberAgreement> agreements;  ///< by member; NaN of one that failed
     double observed_runout = 0;               ///< [m]
     double pieces = 0;                        ///< EventSurvey::pieces()
@@ -38,7 +38,7 @@ struct CalibrationRuns {
     /// By member and event; NaN where a member failed.
     [[nodiscard]] std::vector<std::vector<double>> misfits() const;
     /// All runs of all events.
-    [[nodiscard]] std::vector<MemberResult> runs() const;
+    [[nodiscard]] std::vector<MemberRecord> runs() const;
 };
 
 /// What runs the members of a calibration.

@@ -36,26 +36,16 @@ double severity_of(const Sentence& warning) {
 
 }  // namespace
 
-MemberResult result_of(MemberRecord record) {
-    return {
-        static_cast<std::size_t>(record.member),
-        record.failure,
-        std::move(record.end),
-        std::move(record.figures),
-        record.engine_seconds,
-    };
-}
-
-std::size_t failed_of(const std::vector<MemberResult>& runs) {
+std::size_t failed_of(const std::vector<MemberRecord>& runs) {
     return static_cast<std::size_t>(
-        std::count_if(runs.begin(), runs.end(), [](const MemberResult& run) { return !run.failure.empty(); }));
+        std::count_if(runs.begin(), runs.end(), [](const MemberRecord& run) { return !run.failure.empty(); }));
 }
 
-Troubles troubles_of(const std::vector<MemberResult>& runs, bool each_counts) {
+Troubles troubles_of(const std::vector<MemberRecord>& runs, bool each_counts) {
     Troubles all;
     all.each_counts = each_counts;
     all.runs = runs.size();
-    for (const MemberResult& run : runs) {
+    for (const MemberRecord& run : runs) {
         all.failed += run.failure.empty() ? 0 : 1;
         all.warned += run.end.warnings.empty() ? 0 : 1;
         all.flew += std::any_of(run.end.warnings.begin(), run.end.warnings.end(),
@@ -74,10 +64,10 @@ Troubles troubles_of(const std::vector<MemberResult>& runs, bool each_counts) {
     return all;
 }
 
-Warnings kinds_of_warnings(const std::vector<MemberResult>& runs, const Warnings& known, const std::string& table) {
+Warnings kinds_of_warnings(const std::vector<MemberRecord>& runs, const Warnings& known, const std::string& table) {
     std::vector<std::string> order;
     std::map<std::string, KindOfWarning> kinds;
-    for (const MemberResult& run : runs) {
+    for (const MemberRecord& run : runs) {
         std::set<std::string> told;
         for (const Warning& warning : without(run.end.warnings, known)) {
             const std::string& pattern = warning.words.pattern();
@@ -203,8 +193,8 @@ StudyResult read_study_result(const StudyInput& input, const std::string& folder
     FinishedMembers all;
     std::vector<std::size_t> everyone;
     for (std::size_t member = 0; member < count; ++member) {
-        const MemberResult& one =
-            result.members.emplace_back(result_of(require_own_record(input, records.place(member), member)));
+        const MemberRecord& one =
+            result.members.emplace_back(without_cells(require_own_record(input, records.place(member), member)));
         all.records.push_back(records.place(member));
         all.weights.push_back(input.table.weights[member]);
         if (input.table.is_replicated) all.replicates.push_back(input.table.replicate_of(member));

@@ -18,29 +18,17 @@
 
 namespace frana::app::study {
 
-/// A member without its maps.
-struct MemberResult {
-    std::size_t member = 0;
-    std::string failure;  ///< empty: finished
-    MemberEnd end;
-    std::vector<Figure> figures;
-    double engine_seconds = 0;
-};
-
-/// Returns that of a record.
-MemberResult result_of(MemberRecord record);
-
 /// @param each_counts as Troubles::each_counts
-Troubles troubles_of(const std::vector<MemberResult>& runs, bool each_counts);
+Troubles troubles_of(const std::vector<MemberRecord>& runs, bool each_counts);
 
 /// One sentence for each kind of warning that the runs gave: of how many, and that of the run whose figure is the
 /// worst.
 /// @param known warnings of the study itself, which need not be told again
 /// @param table that has the members' rows, of a study with several; empty: one
-Warnings kinds_of_warnings(const std::vector<MemberResult>& runs, const Warnings& known, const std::string& table = {});
+Warnings kinds_of_warnings(const std::vector<MemberRecord>& runs, const Warnings& known, const std::string& table = {});
 
 /// Number of members without a result.
-std::size_t failed_of(const std::vector<MemberResult>& runs);
+std::size_t failed_of(const std::vector<MemberRecord>& runs);
 
 /// The cells of a run in the columns k_end_columns.
 std::vector<std::string> end_values(const MemberEnd& end);
@@ -53,7 +41,7 @@ struct FigureSensitivity {
 
 /// The members that ran, in the order of their numbers.
 struct StudyResult {
-    std::vector<MemberResult> members;
+    std::vector<MemberRecord> members;
     FinishedMembers finished;              ///< whose maps are used
     std::vector<std::size_t> finished_at;  ///< their places in `members`
     /// Members of whole groups of Morris' design, or all finished ones: those that sensitivities use. `groups`: rows of

@@ -249,7 +249,7 @@ std::string posterior_csv(const StudyInput& input, const CalibrationRuns& runs, 
         std::string reason;
         double seconds = 0;
         for (std::size_t e = 0; e < input.events(); ++e) {
-            const MemberResult& one = runs.events[e].members[i];
+            const MemberRecord& one = runs.events[e].members[i];
             row.push_back(cell(1 - misfits[i][e]));
             for (std::size_t m = 0; m < runs.events[e].measures.size(); ++m)
                 row.push_back(one.failure.empty() ? shortest_text(runs.events[e].agreements[i].parts[m]) : "");

@@ -179,7 +179,7 @@ void choose_grid(StudyInput& input, StudyResult& result, RunLog& log) {
 }
 
 /// A member with its row of the table as attributes.
-PolygonFeature member_feature(const StudyInput& input, const StudyResult& result, const MemberResult& member,
+PolygonFeature member_feature(const StudyInput& input, const StudyResult& result, const MemberRecord& member,
                               MultiPolygon parts) {
     PolygonFeature feature;
     feature.parts = std::move(parts);
@@ -207,7 +207,7 @@ void write_member_outlines(const StudyInput& input, const StudyResult& result, c
         traces.features.push_back(
             member_feature(input, result, result.members[result.finished_at[i]], std::move(trace)));
     }
-    for (const MemberResult& member : result.members)
+    for (const MemberRecord& member : result.members)
         if (!input.slopes.empty())
             slopes.features.push_back(member_feature(input, result, member, input.slopes[member.member].outline));
     std::vector<gis::OutlineLayer> layers;
@@ -216,13 +216,13 @@ void write_member_outlines(const StudyInput& input, const StudyResult& result, c
     write_result_outlines(path, result.grid.crs_wkt, layers, words_of(input.base.spec));
 }
 
-bool is_kept(Keep keep, const MemberResult& member) {
+bool is_kept(Keep keep, const MemberRecord& member) {
     return keep == Keep::all || (keep == Keep::failed && !member.failure.empty());
 }
 
 void write_kept_members(const StudyInput& input, const StudyResult& result, const ResultDirectory& directory) {
     for (std::size_t i = 0; i < result.members.size(); ++i) {
-        const MemberResult& member = result.members[i];
+        const MemberRecord& member = result.members[i];
         if (!is_kept(input.reading.study.keep, member)) continue;
         char name[40];
         std::snprintf(name, sizeof name, "%s/member_%07zu", k_member_folder, member.member);
@@ -231,11 +231,11 @@ void write_kept_members(const StudyInput& input, const StudyResult& result, cons
     }
 }
 
-bool warn_of_failures(const std::vector<MemberResult>& runs, const std::string& table, RunLog& log) {
+bool warn_of_failures(const std::vector<MemberRecord>& runs, const std::string& table, RunLog& log) {
     const std::size_t failed = failed_of(runs);
     if (failed == 0) return false;
     const auto first =
-        std::find_if(runs.begin(), runs.end(), [](const MemberResult& member) { return !member.failure.empty(); });
+        std::find_if(runs.begin(), runs.end(), [](const MemberRecord& member) { return !member.failure.empty(); });
     log.warn(worded("{1} of {2} runs failed, first member {3}: {4}. See {5}",
                     {std::to_string(failed), std::to_string(runs.size()), std::to_string(first->member),
                      first->failure.c_str(), table}));
@@ -278,7 +278,7 @@ std::optional<StudyComparison> compare_study(const StudyInput& input, const Resu
 
 }  // namespace
 
-StudyOutcome tell_of_runs(const StudyInput& input, const std::vector<MemberResult>& runs, const std::string& table,
+StudyOutcome tell_of_runs(const StudyInput& input, const std::vector<MemberRecord>& runs, const std::string& table,
                           StudyFacts& facts, RunLog& log) {
     StudyOutcome outcome;
     facts.troubles = troubles_of(runs, input.spec().region.has_value());

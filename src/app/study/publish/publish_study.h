@@ -19,7 +19,7 @@ struct StudyOutcome {
 
 /// Adds to the facts what the runs warn of, and tells it.
 /// @param table that has the reasons of failures
-StudyOutcome tell_of_runs(const StudyInput& input, const std::vector<MemberResult>& runs, const std::string& table,
+StudyOutcome tell_of_runs(const StudyInput& input, const std::vector<MemberRecord>& runs, const std::string& table,
                           StudyFacts& facts, RunLog& log);
 
 /// Writes the study as used, and which files it and its scenes name.

@@ -17,8 +17,8 @@ namespace {
 constexpr const char* k_scheme_key = "numerics.scheme";
 
 /// The members with weight nearest to the median run-out and farthest, of several the first.
-std::vector<SchemeCheck::Member> chosen(const std::vector<MemberResult>& all, const std::vector<double>& all_weights) {
-    std::vector<const MemberResult*> finished;
+std::vector<SchemeCheck::Member> chosen(const std::vector<MemberRecord>& all, const std::vector<double>& all_weights) {
+    std::vector<const MemberRecord*> finished;
     std::vector<double> run_outs, weights;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!(all_weights[i] > 0)) continue;
@@ -78,7 +78,7 @@ std::optional<Scheme> common_scheme(const StudyInput& input) {
     return input.base.spec.numerics.scheme;
 }
 
-std::optional<SchemeCheck> check_scheme(const StudyInput& input, const std::vector<MemberResult>& all,
+std::optional<SchemeCheck> check_scheme(const StudyInput& input, const std::vector<MemberRecord>& all,
                                         const std::vector<double>& weights, int threads) {
     const std::optional<Scheme> scheme = common_scheme(input);
     std::vector<SchemeCheck::Member> members = chosen(all, weights);

@@ -42,7 +42,7 @@ std::optional<Scheme> common_scheme(const StudyInput& input);
 /// volumes, or the default one of members by these. Each runs on one thread; the members alone decide its bits. None
 /// without a common_scheme. Throws Error(environment).
 /// @param weights of the members; one without is no candidate
-std::optional<SchemeCheck> check_scheme(const StudyInput& input, const std::vector<MemberResult>& members,
+std::optional<SchemeCheck> check_scheme(const StudyInput& input, const std::vector<MemberRecord>& members,
                                         const std::vector<double>& weights, int threads);
 
 /// Returns what the check says, a name and its value for each run; the first is the members' scheme.

@@ -218,7 +218,7 @@ constexpr ShownFigure k_figures[] = {{"volume_m3", worded("Volume [m³]"), true}
                                      {"max_depth_m", worded("Greatest depth [m]"), false},
                                      {"max_velocity_ms", worded("Greatest speed [m/s]"), false}};
 
-std::string figure_text(const MemberResult& member, const ShownFigure& shown, const Words& words) {
+std::string figure_text(const MemberRecord& member, const ShownFigure& shown, const Words& words) {
     const double value = value_of(member.figures, shown.key);
     if (std::isnan(value)) return "";
     return words.number(shown.in_groups ? grouped(value) : number_text(value, 3));
@@ -235,7 +235,7 @@ std::string why_open(const MemberEnd& end, const Words& words) {
 Document slopes_section(const StudyInput& input, const StudyResult& result, const Words& words) {
     if (!input.reading.study.region) return {};
     const bool has_scenarios = input.reading.study.region->scenario.has_value(), has_failures = result.failed() > 0;
-    const bool has_open = std::any_of(result.members.begin(), result.members.end(), [](const MemberResult& member) {
+    const bool has_open = std::any_of(result.members.begin(), result.members.end(), [](const MemberRecord& member) {
         return member.failure.empty() && member.end.is_open();
     });
     std::vector<std::string> heads{"", words("Slope")};
@@ -245,7 +245,7 @@ Document slopes_section(const StudyInput& input, const StudyResult& result, cons
     if (has_failures) heads.push_back(words("Why it failed"));
     Table table(heads);
     for (std::size_t i = 0; i < std::min(k_most_slopes, result.members.size()); ++i) {
-        const MemberResult& member = result.members[i];
+        const MemberRecord& member = result.members[i];
         const Slope& slope = input.slopes[member.member];
         std::vector<Cell> cells{std::to_string(member.member), valid_utf8(slope.name)};
         if (has_scenarios) cells.push_back(valid_utf8(slope.scenario));
@@ -280,7 +280,7 @@ Table keys_table(const StudyInput& input, const Words& words) {
 
 Table failures_list(const StudyResult& result, const Words& words) {
     Table table({words("member"), words("reason")});
-    for (const MemberResult& member : result.members)
+    for (const MemberRecord& member : result.members)
         if (!member.failure.empty()) table.row({std::to_string(member.member), member.failure});
     return table;
 }

@@ -38,7 +38,7 @@ std::string cell(const std::optional<double>& value) {
 
 }  // namespace
 
-std::vector<MemberCell> member_row(const StudyInput& input, const StudyResult& result, const MemberResult& member) {
+std::vector<MemberCell> member_row(const StudyInput& input, const StudyResult& result, const MemberRecord& member) {
     std::vector<MemberCell> row;
     const auto text = [&](const std::string& name, const std::string& value) { row.push_back({name, value, false}); };
     const auto number = [&](const std::string& name, const std::string& value) { row.push_back({name, value}); };
@@ -67,7 +67,7 @@ std::vector<MemberCell> member_row(const StudyInput& input, const StudyResult& r
 
 std::string members_csv(const StudyInput& input, const StudyResult& result) {
     Table table;
-    for (const MemberResult& member : result.members) {
+    for (const MemberRecord& member : result.members) {
         std::vector<std::string> heads;
         std::vector<Cell> cells;
         for (const MemberCell& one : member_row(input, result, member)) {
@@ -207,7 +207,7 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
     json["scheme"] = scheme_json(input);
     if (facts.scheme_check) json["scheme_check"] = check_json(*facts.scheme_check);
     Json& failures = json["failures"] = Json::array();
-    for (const MemberResult& member : result.members)
+    for (const MemberRecord& member : result.members)
         if (!member.failure.empty()) failures.push_back({{"member", member.member}, {"reason", member.failure}});
     if (facts.exposure) json["exposure"] = exposure_json(*facts.exposure);
     return json_text(json);

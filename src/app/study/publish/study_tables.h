@@ -23,7 +23,7 @@ struct MemberCell {
     bool is_number = true;
 };
 /// What they say of a member: its values as after `--set`, its figures, how it ended; the same columns for all.
-std::vector<MemberCell> member_row(const StudyInput& input, const StudyResult& result, const MemberResult& member);
+std::vector<MemberCell> member_row(const StudyInput& input, const StudyResult& result, const MemberRecord& member);
 /// Returns members.csv, with a row for each member.
 std::string members_csv(const StudyInput& input, const StudyResult& result);
 /// Returns sensitivity.csv: a row for each figure and key.
