@@ -309,7 +309,7 @@ Warnings release_warnings(const Scene& scene, const Raster& bed, const Raster& r
                                    [](const ReleaseArea& area) { return area.level.has_value(); });
     const SurfaceStep step = still ? SurfaceStep{} : greatest_step(bed, release);
     if (step.height > std::max(k_high_step, k_steep_step * release.grid.cell_size))
-        warnings.push_back(worded("release step of {1} m at {2}: check its raster",
+        warnings.push_back(worded("release step of {1} m at {2}: check its thickness",
                                   {numeral(number_text(step.height, 3)), place_of(step.place)}));
     for (const ReleasedArea& area : areas) {
         const double width = std::sqrt(area.area), thickness = area.area > 0 ? area.volume / area.area : 0;
