@@ -205,7 +205,7 @@ VerticalUnit vertical_unit_of(const std::string& band_unit, const std::string& c
         if (one_of(word, unit.words)) return known(unit);
     if (!band_unit.empty()) return {band_unit, 1, false, true};
     const double metres = crs_wkt.empty() ? 0 : vertical_metres_per_unit(crs_wkt);
-    if (metres == 0) return {k_units[0].name};
+    if (metres == 0) return {};
     // Units are stored with rounded factors in some files.
     for (const Unit& unit : k_units)
         if (std::abs(metres - unit.metres) < (unit.metres == 1 ? 1e-12 : 1e-9)) return known(unit);

@@ -10,7 +10,7 @@ namespace frana::gis {
 
 /// The unit of a raster's values.
 struct VerticalUnit {
-    std::string name = "metre";
+    std::string name = "m";
     double metres = 1;    ///< per unit
     bool known = true;    ///< false: the file names a unit that is not a length; values are unchanged
     bool stated = false;  ///< specified in the file

@@ -212,7 +212,7 @@ std::string sentences(const std::string& first, const std::string& second) {
 
 std::vector<std::string> block_lines(const MapStyle& style) {
     std::vector<std::string> lines;
-    for (const std::string& line : {style.author, style.words.date(style.date)})
+    for (const std::string& line : {style.author, style.date})
         if (!line.empty()) lines.push_back(elided(valid_utf8(line), k_longest_line));
     return lines;
 }

@@ -2,7 +2,6 @@
 #include "core/words/words.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cstdlib>
 #include <regex>
@@ -171,23 +170,6 @@ std::string Words::number(std::string_view english) const {
             text += english[i];
     }
     return text;
-}
-
-std::string Words::date(std::string_view iso) const {
-    const bool is_date = iso.size() == 10 && iso[4] == '-' && iso[7] == '-' && is_digit(iso, 0) && is_digit(iso, 1) &&
-                         is_digit(iso, 2) && is_digit(iso, 3) && is_digit(iso, 5) && is_digit(iso, 6) &&
-                         is_digit(iso, 8) && is_digit(iso, 9);
-    if (!is_date) return std::string(iso);
-    static constexpr std::array<const char*, 12> k_months{worded("January"), worded("February"), worded("March"),
-                                                          worded("April"),   worded("May"),      worded("June"),
-                                                          worded("July"),    worded("August"),   worded("September"),
-                                                          worded("October"), worded("November"), worded("December")};
-    const int month = 10 * (iso[5] - '0') + (iso[6] - '0');
-    if (month < 1 || month > 12) return std::string(iso);
-    const std::string day(iso[8] == '0' ? iso.substr(9, 1) : iso.substr(8, 2));
-    const Words& words = *this;
-    return words("{1} {2} {3}",
-                 {day, words(k_months[static_cast<std::size_t>(month - 1)]), std::string(iso.substr(0, 4))});
 }
 
 std::string Words::labelled(std::string_view label, std::string_view text) const {

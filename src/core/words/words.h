@@ -101,9 +101,6 @@ class Words {
     /// decimal sign, separator of thousands. Texts between the numbers are unchanged.
     [[nodiscard]] std::string number(std::string_view english) const;
 
-    /// Returns a day ("2026-11-24") as the language writes it: "24. November 2026"; other texts unchanged.
-    [[nodiscard]] std::string date(std::string_view iso) const;
-
     /// Returns "a: b", with the space that French writes before a colon.
     [[nodiscard]] std::string labelled(std::string_view label, std::string_view text) const;
 

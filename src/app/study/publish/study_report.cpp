@@ -325,9 +325,9 @@ void end_page(const StudyInput& input, const std::string& title, const Table& fa
     const Words words = words_of(input.studies().front()->base.spec);
     if (!facts.warnings.empty()) page.warnings(facts.warnings, words);
     if (!failures.rows().empty()) page.heading("failures", words("Failed members")).add(failures);
-    const std::string origin = words("Computed with {1}, study {2}, {3}",
-                                     {std::string(k_program) + " " + k_version,
-                                      fs::path(input.spec().file).filename().string(), words.date(facts.date)});
+    const std::string origin =
+        words("Computed with {1}, study {2}, {3}",
+              {std::string(k_program) + " " + k_version, fs::path(input.spec().file).filename().string(), facts.date});
     write_page(folder, {title, origin, words, opening}, page);
 }
 
