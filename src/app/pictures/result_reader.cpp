@@ -342,7 +342,7 @@ MapLayer ResultReader::particle_layer(const StoredFrame& frame, const ParticleQu
     open_above(layer);
     show_figures_of(frame.time, layer);
     layer.notes.push_back(
-        words_("{1} particles", {words_.number(grouped(static_cast<double>(layer.dots->dots.size())))}));
+        words_.labelled(words_("Particles"), words_.number(grouped(static_cast<double>(layer.dots->dots.size())))));
     return layer;
 }
 

@@ -144,7 +144,7 @@ MemberRecord record_of(std::uint64_t member, const RunResult& result, const Scen
     record.failure = failure_of(result);
     for (const RunValue& value : reported_values(result, scene, threshold))
         record.figures.push_back({value.key, value.title, value.unit, value.value});
-    record.figures.push_back({"volume_m3", Sentence(worded("volume")), "m3", result.volume_entered});
+    record.figures.push_back({"volume_m3", Sentence(worded("Volume")), "m3", result.volume_entered});
     record.end = {stop_word(result.stop_reason),
                   scene.time.end,
                   motion_at_end(result).front,

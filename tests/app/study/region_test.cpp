@@ -261,7 +261,7 @@ TEST_F(Region, FailedSlopesAreListedAndTheRestIsDone) {
     const std::string first = parse_json(read_text(path("out/summary.json")))["warnings"][0];
     EXPECT_NE(first.find("3 of 6 runs failed"), std::string::npos) << first;
     const std::string page = read_text(path("out/report.html")), section = page.substr(page.find("<h2 id=\"slopes\""));
-    for (const std::string words : {"<td>far</td>", "<td>rare</td>", "Run-out [m]", "Why it failed", "column THICK"})
+    for (const std::string words : {"<td>far</td>", "<td>rare</td>", "Run-out [m]", "reason", "column THICK"})
         EXPECT_NE(section.substr(0, section.find("</table>")).find(words), std::string::npos) << words;
     const Rows rows = members();
     ASSERT_EQ(rows.size(), 6U);

@@ -148,7 +148,7 @@ std::string name_of(const StudySpec& calibration, const KeySample& key, const st
 
 Table keys_table(const StudyInput& input, const CalibrationResult& result, const Words& words) {
     const ReportNumbers number(words);
-    Table table({words("key"), words("distribution before"), words("best"), words("median"), words("90 % after"),
+    Table table({words("Key"), words("distribution before"), words("best"), words("median"), words("90 % after"),
                  words("width, of that before")});
     for (std::size_t k = 0; k < result.keys.size(); ++k) {
         const KeySample& key = result.keys[k];
@@ -179,7 +179,7 @@ std::vector<Cell> scores_row(const std::string& event, const std::string& kind, 
 }
 
 Table scores_table(const StudyInput& input, const CalibrationResult& result, const Words& words) {
-    Table table({words("event"), words("values"), words("score of the best"), words("mean"), words("5 to 95 %"),
+    Table table({words("event"), words("values"), words("score of the best"), words("mean"), "5–95 %",
                  words("effective members")});
     for (std::size_t e = 0; e < input.events(); ++e) {
         const std::string& event = input.spec().events[e].name;
@@ -223,7 +223,7 @@ Table facts_table(const StudyInput& input, const CalibrationRuns& runs, const Ca
     table.row({words("Members"), words("{1}, of which {2} spread over the distributions",
                                        {std::to_string(runs.size()), std::to_string(runs.design)})});
     table.row({words("Effective number"), number(result.effective, 3)});
-    table.row({words("Cells [m]"), joined(cells, ", ")});
+    table.row({with_unit(words("Cell size"), "m"), joined(cells, ", ")});
     if (const std::size_t failed = failed_of(runs.runs()); failed > 0)
         table.row({words("Failed runs"), std::to_string(failed)}, "warning");
     table.row({words("Last moves of the intervals [%]"),
@@ -241,7 +241,7 @@ Document answer(const StudyInput& input, const CalibrationRuns& runs, const Cali
                 const StudyFacts& facts, const Words& words) {
     Document answer;
     if (facts.troubles.are_first()) answer.add(Paragraph{{}, headline(facts.troubles).in(words), "warning"});
-    return answer.heading("answer", words("Values and answer"))
+    return answer.heading("answer", words("Answer"))
         .add(keys_table(input, result, words))
         .add(scores_table(input, result, words))
         .add(facts_table(input, runs, result, words))
@@ -290,8 +290,11 @@ render::ChartPanel posterior_panel(const CalibrationData& data, const KeySample&
     constexpr int k_parts = 40;  // of the distribution before
     const Parameter* const parameter = find_parameter(scene_parameters(), key.key);
     const std::string title = name_of(data.input.spec(), key, title_in(key.key, words), words);
-    render::ChartPanel panel{
-        title, with_unit(title, parameter == nullptr ? "" : parameter->unit), words("probability [-]"), {}, {0, 1}};
+    render::ChartPanel panel{title,
+                             with_unit(title, parameter == nullptr ? "" : parameter->unit),
+                             with_unit(words("Probability"), ""),
+                             {},
+                             {0, 1}};
     panel.x = key.prior.law == Law::log_uniform || key.prior.law == Law::log_normal ? render::Scale::logarithmic
                                                                                     : render::Scale::linear;
     StudySpec alone;

@@ -70,8 +70,8 @@ void add_areas(const StudyFacts& facts, const Words& words, Table& table) {
         const double fraction = k_study_quantiles[q].fraction;
         std::string area = number.grouped(facts.reached_m2[q]);
         if (fraction == 0.5)
-            area += " (" +
-                    words("95 %: {1} to {2}",
+            area += " (" + "95 %: " +
+                    words("{1} to {2}",
                           {number.grouped(facts.half_reached_m2.low), number.grouped(facts.half_reached_m2.high)}) +
                     ")";
         table.row({words("Area deeper than {1} m in ≥ {2} % of runs [m²]",
@@ -92,8 +92,8 @@ void add_errors(const StudyInput& input, const StudyResult& result, const StudyF
     if (const auto& rare = facts.rare_place)
         table.row({words("Deeper than {1} m at {2}", {number(rare->event.threshold), rare->event.gauge}),
                    percent(rare->probability.value) + " (" +
-                       words("95 %: {1} to {2}", {percent(rare->probability.low()), percent(rare->high)}) + "), " +
-                       words("{1} runs", {std::to_string(rare->hits)})});
+                       "95 %: " + words("{1} to {2}", {percent(rare->probability.low()), percent(rare->high)}) + "), " +
+                       words("runs: {1}", {std::to_string(rare->hits)})});
     if (const auto& until = input.reading.study.until)
         table.row({"study.until = " + words.number(shortest_text(*until)),
                    words(facts.error.largest() <= *until ? worded("reached") : worded("not reached"))});
@@ -149,7 +149,7 @@ Table region_table(const StudyInput& input, const StudyResult& result, const Stu
 Document figures_table(const StudyResult& result, const Words& words) {
     if (result.figures().empty()) return {};
     const ReportNumbers number(words);
-    Table table({words("value"), "", words("mean"), "5 %", "50 %", "95 %", words("median, 95 %")});
+    Table table({words("Value"), "", words("mean"), "5 %", "50 %", "95 %", words("median, 95 %")});
     const std::vector<double>& weights = result.finished.weights;
     for (std::size_t f = 0; f < result.figures().size(); ++f) {
         const std::vector<double> values = result.figure(f);
@@ -174,7 +174,7 @@ Document figures_table(const StudyResult& result, const Words& words) {
 Document degrees_table(const std::vector<HazardArea>& degrees, const Words& words) {
     if (degrees.empty()) return {};
     const ReportNumbers number(words);
-    Table table({"", words("Degree of hazard"), words("area [m²]")});
+    Table table({"", words("Degree of hazard"), with_unit(words("Covered area"), "m²")});
     for (const HazardArea& one : degrees) {
         Cell colour = "";
         colour.swatch = hex(one.kind.colour);
@@ -190,7 +190,7 @@ Document degrees_table(const std::vector<HazardArea>& degrees, const Words& word
 Document study_answer(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {
     Document answer;
     if (facts.troubles.are_first()) answer.add(Paragraph{{}, headline(facts.troubles).in(words), "warning"});
-    answer.heading("answer", words("Scenario and answer"));
+    answer.heading("answer", words("Answer"));
     if (input.reading.study.region)
         return answer.add(region_table(input, result, facts, words)).first_warnings(facts.warnings, words);
     return answer.add(runs_table(input, result, facts, words))
@@ -209,14 +209,14 @@ inline constexpr std::size_t k_most_slopes = 50;
 
 /// A figure of members.csv that the table shows.
 struct ShownFigure {
-    const char *key, *title;
+    const char *key, *title, *unit;
     bool in_groups;  ///< "1 000", else three digits
 };
 
-constexpr ShownFigure k_figures[] = {{"volume_m3", worded("Volume [m³]"), true},
-                                     {"runout_m", worded("Run-out [m]"), true},
-                                     {"max_depth_m", worded("Greatest depth [m]"), false},
-                                     {"max_velocity_ms", worded("Greatest speed [m/s]"), false}};
+constexpr ShownFigure k_figures[] = {{"volume_m3", worded("Volume"), "m³", true},
+                                     {"runout_m", worded("Run-out"), "m", true},
+                                     {"max_depth_m", worded("Maximum depth"), "m", false},
+                                     {"max_velocity_ms", worded("Maximum velocity"), "m/s", false}};
 
 std::string figure_text(const MemberRecord& member, const ShownFigure& shown, const Words& words) {
     const double value = value_of(member.figures, shown.key);
@@ -240,9 +240,9 @@ Document slopes_section(const StudyInput& input, const StudyResult& result, cons
     });
     std::vector<std::string> heads{"", words("Slope")};
     if (has_scenarios) heads.push_back(words("Scenario"));
-    for (const ShownFigure& shown : k_figures) heads.push_back(words(shown.title));
+    for (const ShownFigure& shown : k_figures) heads.push_back(with_unit(words(shown.title), shown.unit));
     if (has_open) heads.push_back(words("Lower bounds, since"));
-    if (has_failures) heads.push_back(words("Why it failed"));
+    if (has_failures) heads.push_back(words("reason"));
     Table table(heads);
     for (std::size_t i = 0; i < std::min(k_most_slopes, result.members.size()); ++i) {
         const MemberRecord& member = result.members[i];
@@ -259,7 +259,9 @@ Document slopes_section(const StudyInput& input, const StudyResult& result, cons
     Document section;
     section.heading("slopes", words("Slopes")).add(table);
     if (result.members.size() > k_most_slopes)
-        section.small(words("The first {1} of {2} slopes; {3} has all.",
+        section.small(words("{1} of {2}; all: {3}",
+                            {std::to_string(k_most_slopes),
+                             words.number(grouped(static_cast<double>(result.members.size()))), k_member_table})); {3} has all.",
                             {std::to_string(k_most_slopes),
                              words.number(grouped(static_cast<double>(result.members.size()))), k_member_table}));
     return section;
@@ -270,7 +272,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t k_figures_on_first_page = 12;
 
 Table keys_table(const StudyInput& input, const Words& words) {
-    Table table({words("key"), words("distribution")});
+    Table table({words("Key"), words("distribution")});
     for (const Variation& one : input.reading.study.vary) table.row({one.key, one.distribution.text});
     for (const Correlation& one : input.reading.study.correlate)
         table.row(
@@ -324,7 +326,7 @@ void end_page(const StudyInput& input, const std::string& title, const Table& fa
               Opening opening, Document page, const std::string& folder) {
     const Words words = words_of(input.studies().front()->base.spec);
     if (!facts.warnings.empty()) page.warnings(facts.warnings, words);
-    if (!failures.rows().empty()) page.heading("failures", words("Failed members")).add(failures);
+    if (!failures.rows().empty()) page.heading("failures", words("Failed runs")).add(failures);
     const std::string origin =
         words("Computed with {1}, study {2}, {3}",
               {std::string(k_program) + " " + k_version, fs::path(input.spec().file).filename().string(), facts.date});
@@ -348,7 +350,6 @@ void write_study_report(const StudyInput& input, const StudyResult& result, cons
         .add(slopes_section(input, result, words))
         .heading("maps", words("Maps"));
     if (maps.size() > 1) page.maps({maps.begin() + 1, maps.end()}, folder, words);
-    if (maps.size() == 1) page.paragraph(words("The only map is on the first page."));
     if (maps.empty()) page.paragraph(words("There are no maps."));
     page.part(k_comparison_section, {});
     add_inputs(input, facts, words, page);
