@@ -185,12 +185,20 @@ void write_cog(const std::string& path, GDALDatasetH dataset, const char* resamp
     memory.write_to_disk(path);
 }
 
-std::vector<float> file_values(const Raster& raster) {
-    std::vector<float> values(raster.values.size());
-    std::transform(raster.values.begin(), raster.values.end(), values.begin(), [](double value) {
-        return std::isfinite(value) ? static_cast<float>(value) : static_cast<float>(k_file_nodata);
+/// Of cells that are not stored `elsewhere`.
+std::vector<float> file_values(const Raster& raster, double elsewhere = k_file_nodata) {
+    std::vector<float> values(raster.values.size(), static_cast<float>(elsewhere));
+    raster.values.for_each_run([&](std::size_t first, const double* from, std::size_t count) {
+        std::transform(from, from + count, values.begin() + static_cast<std::ptrdiff_t>(first), [](double value) {
+            return std::isfinite(value) ? static_cast<float>(value) : static_cast<float>(k_file_nodata);
+        });
     });
     return values;
+}
+
+/// Whether the blocks that nothing reached are left out of a file.
+bool is_sparse(const Raster& raster) {
+    return raster.values.is_tiled() && static_cast<std::int64_t>(raster.values.size()) > CellValues::k_most_dense;
 }
 
 void write_band(const std::string& path, GDALDatasetH dataset, int number, const std::vector<float>& values) {
@@ -297,7 +305,7 @@ std::vector<float> stored_values(const Raster& raster) {
 
 void write_geotiff(const std::string& path, const Raster& raster, const BandText& text, RasterUse use) {
     const GdalSession session;
-    if (raster.values.is_tiled()) {
+    if (is_sparse(raster)) {
         write_sparse(path, {&raster}, GDT_Float32, k_file_nodata, "3", [&](GDALDatasetH dataset) {
             set_texts(dataset, text);
             set_statistics(dataset, stored_values(raster), raster.values.size());
@@ -313,7 +321,7 @@ void write_geotiff(const std::string& path, const Raster& raster, const BandText
 
 void write_geotiff(const std::string& path, const std::vector<RasterBand>& bands) {
     const GdalSession session;
-    if (bands.front().raster.values.is_tiled()) {
+    if (is_sparse(bands.front().raster)) {
         std::vector<const Raster*> rasters;
         for (const RasterBand& band : bands) rasters.push_back(&band.raster);
         const bool zeros = bands.front().zero_elsewhere;
@@ -333,7 +341,7 @@ void write_geotiff(const std::string& path, const std::vector<RasterBand>& bands
         in_memory(bands.front().raster.grid, GDT_Float32, k_file_nodata, static_cast<int>(bands.size()));
     int number = 0;
     for (const RasterBand& band : bands) {
-        const std::vector<float> values = file_values(band.raster);
+        const std::vector<float> values = file_values(band.raster, band.zero_elsewhere ? 0 : k_file_nodata);
         write_band(path, dataset.get(), ++number, values);
         set_texts(dataset.get(), band.text, number);
         set_statistics(dataset.get(), values, values.size(), number);
@@ -344,7 +352,7 @@ void write_geotiff(const std::string& path, const std::vector<RasterBand>& bands
 void write_class_geotiff(const std::string& path, const Raster& raster, const std::vector<ClassEntry>& classes,
                          const BandText& text) {
     const GdalSession session;
-    const bool sparse = raster.values.is_tiled();
+    const bool sparse = is_sparse(raster);
     std::vector<std::uint8_t> values(sparse ? 0 : raster.values.size(), k_no_class);
     raster.values.for_each_stored([&](std::size_t cell, double value) {
         if (std::isnan(value) || value == k_no_class) return;

@@ -8,6 +8,7 @@
 
 #include "analysis/trace.h"
 #include "core/error.h"
+#include "core/reached_raster.h"
 
 namespace frana {
 
@@ -107,7 +108,7 @@ double gradient(double before, double here, double after, double cell_size) {
 
 template <class Change>
 Raster with_slope(const Raster& depth, const Raster& bed, const Change& change) {
-    Raster changed(depth.grid, k_no_data);
+    Raster changed = reached_raster(depth.grid, k_no_data);
     depth.values.for_each_stored([&](std::size_t cell, double value) {
         if (std::isnan(value)) return;
         const auto place = static_cast<std::int64_t>(cell);

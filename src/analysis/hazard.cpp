@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/reached_raster.h"
 #include "core/text.h"
 #include "core/words/words.h"
 
@@ -123,7 +124,7 @@ bool HazardScheme::uses(HazardQuantity quantity) const {
 Raster hazard_classes(const HazardScheme& scheme, const HazardQuantities& quantities) {
     const std::array<const Raster*, 6> rasters{&quantities.depth, &quantities.velocity, &quantities.flux,
                                                &quantities.head,  &quantities.pressure, &quantities.deposit};
-    Raster classes(quantities.depth.grid, k_no_data);
+    Raster classes = reached_raster(quantities.depth.grid, k_no_data);
     const bool has_depths = scheme.has_depths();
     quantities.depth.values.for_each_stored([&](std::size_t cell, double depth) {
         if (std::isnan(depth)) return;

@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 #include <vector>
+#include "core/reached_raster.h"
 
 namespace frana {
 namespace {
@@ -152,7 +153,7 @@ MultiPolygon outlines_where_positive(const GridSpec& grid, std::span<const doubl
 }
 
 Raster trace_mask(const Raster& depth, double threshold) {
-    Raster mask(depth.grid);
+    Raster mask = reached_raster(depth.grid, 0);
     depth.values.for_each_stored([&](std::size_t cell, double value) {
         if (value > threshold) mask.values[cell] = 1;
     });

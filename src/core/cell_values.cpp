@@ -80,7 +80,7 @@ CellValues::CellValues() = default;
 CellValues::CellValues(std::vector<double> values) : dense_(std::make_shared<std::vector<double>>(std::move(values))) {}
 CellValues::CellValues(std::initializer_list<double> values) : dense_(std::make_shared<std::vector<double>>(values)) {}
 CellValues::CellValues(std::int64_t rows, std::int64_t columns, double fill) {
-    if (rows * columns > k_largest_plain) {
+    if (rows * columns > k_most_dense) {
         tiles_ = std::make_unique<Tiles>(rows, columns, fill, Source());
     } else {
         dense_ = std::make_shared<std::vector<double>>(static_cast<std::size_t>(rows * columns), fill);

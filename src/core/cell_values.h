@@ -30,9 +30,7 @@ class CellValues {
   public:
     /// Side of a tile [cells].
     static constexpr std::int64_t k_side = 64;
-    /// Rasters of more cells are tiled: what the flow does not reach takes neither memory nor time.
-    static constexpr std::int64_t k_largest_plain = 1 << 18;
-    /// Up to here a copy with all values side by side is affordable.
+    /// Rasters of more cells are tiled.
     static constexpr std::int64_t k_most_dense = 10'000'000;
     /// Fills a window, row by row. Windows are made of whole tiles, as far as the raster reaches.
     using Source = std::function<void(const CellWindow& window, double* values)>;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/separate_flows.h"
+#include "core/reached_raster.h"
 #include "mpm/shape.h"
 #include "mpm/shown_depth.h"
 #include "mpm/update_nodes.h"
@@ -273,7 +274,7 @@ void Flow::gather() {
 
 Flow::NodalFields Flow::nodal_fields() {
     gather();
-    NodalFields fields{Raster(grid_), Raster(grid_), Raster(grid_)};
+    NodalFields fields{reached_raster(grid_, 0), reached_raster(grid_, 0), reached_raster(grid_, 0)};
     const double inverse_area = 1 / grid_.cell_area();
     for_each_reached_cell([&](std::int64_t row, std::int64_t column, std::size_t node) {
         const NodeForces& s = state_.nodes.forces()[node];
@@ -307,7 +308,7 @@ double Flow::speed_along_bed(std::size_t node, Point v) const {
 
 Flow::Snapshot Flow::snapshot() {
     const NodalFields fields = nodal_fields();
-    Snapshot shot{Raster(grid_, k_no_data), Raster(grid_, k_no_data)};
+    Snapshot shot{reached_raster(grid_, k_no_data), reached_raster(grid_, k_no_data)};
     for_each_reached_cell([&](std::int64_t row, std::int64_t column, std::size_t node) {
         const std::size_t c = shot.depth.index(row, column);
         const double depth = fields.depth.values[c];
@@ -325,7 +326,7 @@ Flow::Snapshot Flow::snapshot() {
 // they have, if the two differ by more than a hundredth.
 void Flow::hold_volume(Raster& depth) const {
     constexpr double k_same = 0.01;
-    const SeparateFlows patches(Raster(grid_), depth, {});
+    const SeparateFlows patches(reached_raster(grid_, 0), depth, {});
     std::vector<double> shown(patches.count()), held(patches.count());
     const auto visit = [&](const auto& work) {
         for_each_reached_cell([&](std::int64_t row, std::int64_t column, std::size_t node) {

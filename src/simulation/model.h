@@ -12,6 +12,7 @@
 #include "core/archive.h"
 #include "core/point_table.h"
 #include "core/raster.h"
+#include "core/reached_raster.h"
 #include "mpm/bed_exchange.h"
 #include "mpm/node_grid.h"
 #include "mpm/update_nodes.h"
@@ -187,7 +188,7 @@ class Model {
     /// Returns value(node) of every covered node as a north-up raster; NaN: none.
     template <class Value>
     [[nodiscard]] Raster raster_of(const Value& value) const {
-        Raster raster(grid(), k_no_data);
+        Raster raster = reached_raster(grid(), k_no_data);
         const NodeGrid& n = nodes();
         n.for_each_covered_run([&](std::int64_t j, std::int64_t i0, std::int64_t i1) {
             for (std::int64_t i = i0; i < i1; ++i) {

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "core/reached_raster.h"
 #include "mpm/boundary.h"
 #include "mpm/node_grid.h"
 #include "mpm/shape.h"
@@ -219,7 +220,7 @@ double lattice_spacing(const Scene& scene) {
 }
 
 Raster cell_depth(const ParticleSet& particles, const GridSpec& grid) {
-    Raster cells(grid, k_no_data);
+    Raster cells = reached_raster(grid, k_no_data);
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const Cell c = cell_of(grid, {particles[Field::x][p], particles[Field::y][p]});
         double& depth = cells.at(c.row, c.column);

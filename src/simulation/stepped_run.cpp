@@ -9,6 +9,7 @@
 
 #include "analysis/ground_statistics.h"
 #include "core/raster.h"
+#include "core/reached_raster.h"
 #include "mpm/node_grid.h"
 #include "params/keys/result_rasters.h"
 #include "simulation/release.h"
@@ -205,7 +206,7 @@ Raster elevation_change(const RunResult& result, const Raster& release) {
     };
     const Raster *const eroded = result.find_raster(RasterName::eroded_depth), *const deposited = result.find_raster(
                                                                                    RasterName::deposited_depth);
-    Raster change(release.grid, k_no_data);
+    Raster change = reached_raster(release.grid, k_no_data);
     result.raster(RasterName::max_depth).values.for_each_stored([&](std::size_t cell, double depth) {
         if (std::isnan(depth)) return;
         change.values[cell] = bulk * of(&left, cell) - of(&release, cell) - of(eroded, cell) + of(deposited, cell);

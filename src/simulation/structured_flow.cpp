@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/reached_raster.h"
 #include "models/structured/solid/column_state.h"
 #include "mpm/ground_slope.h"
 #include "params/keys/result_rasters.h"
@@ -309,7 +310,7 @@ namespace {
 // Returns the volume-weighted mean over the particles of each cell; NaN where there is none.
 template <class Value>
 Raster mean_by_cell(const ParticleSet& particles, const GridSpec& grid, const Value& value) {
-    Raster sum(grid, k_no_data), weight(grid, 0);
+    Raster sum = reached_raster(grid, k_no_data), weight = reached_raster(grid, 0);
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const Cell c = cell_of(grid, {particles[Field::x][p], particles[Field::y][p]});
         const double volume = particles[Field::volume][p];
@@ -366,7 +367,7 @@ double StructuredFlow::dynamic_pressure(std::size_t cell, double fluid, double s
 }
 
 Raster StructuredFlow::max_pressure(const Raster& max_velocity) const {
-    Raster pressure(grid_, k_no_data);
+    Raster pressure = reached_raster(grid_, k_no_data);
     max_velocity.values.for_each_stored([&](std::size_t cell, double speed) {
         if (std::isnan(speed)) return;
         const auto n = static_cast<std::int64_t>(cell);
@@ -467,7 +468,7 @@ std::vector<NamedRaster> StructuredFlow::more_rasters() const {
         }));
     if (particles[Field::confined] != nullptr) {
         const double *left = particles[Field::confined], *start = particles[Field::confined_start];
-        Raster lost(grid_, k_no_data);
+        Raster lost = reached_raster(grid_, k_no_data);
         for (std::size_t p = 0; p < particles.size(); ++p) {
             const Cell c = cell_of(grid_, {particles[Field::x][p], particles[Field::y][p]});
             double& depth = lost.at(c.row, c.column);

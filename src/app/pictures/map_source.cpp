@@ -254,13 +254,14 @@ std::vector<std::string> map_notes(const MapFacts& facts, const Words& words) {
     if (const auto& statistics = facts.statistics) {
         const Runout& run_out = statistics->run_out();
         const std::size_t flows = statistics->run_outs.size();
-        notes.insert(notes.end(), {words.labelled(words("Covered area"), whole(statistics->covered_area_m2) + " m²"),
-                                   "(> " + words.number(number_text(statistics->threshold, 3)) + " m)",
-                                   words.labelled(words("Run-out"), whole(run_out.horizontal_m) + " m"),
-                                   words.labelled(words("Drop"), whole(run_out.drop_m) + " m"),
-                                   words.labelled(words("Angle of reach"),
-                                                  words.number(number_text(run_out.reach_angle_deg, 3)) + "°")});
-        if (flows > 1) notes.push_back(words("(longest of {1} flows)", {std::to_string(flows)}));
+        const std::string deeper = " (> " + words.number(number_text(statistics->threshold, 3)) + " m)",
+                          longest = flows > 1 ? " " + words("(longest of {1} flows)", {std::to_string(flows)}) : "";
+        notes.insert(
+            notes.end(),
+            {words.labelled(words("Covered area") + deeper, whole(statistics->covered_area_m2) + " m²"),
+             words.labelled(words("Run-out"), whole(run_out.horizontal_m) + " m" + longest),
+             words.labelled(words("Drop"), whole(run_out.drop_m) + " m"),
+             words.labelled(words("Angle of reach"), words.number(number_text(run_out.reach_angle_deg, 3)) + "°")});
     }
     // Warnings on the map itself, since maps are passed on without the log.
     if (facts.statistics && facts.statistics->end && facts.statistics->end->is_cut_short)

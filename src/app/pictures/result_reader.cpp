@@ -233,6 +233,11 @@ std::optional<Raster> ResultReader::in_memory(const std::string& name) const {
     const Raster* const found = run_ != nullptr ? run_->find_raster(name) : nullptr;
     if (found == nullptr) return std::nullopt;
     Raster values = *found;
+    if (!crs_) {  // a file may have another WKT of the same
+        const std::string wkt = gis::inspect_raster(path(name + ".tif"), "RESULT_DIR").crs_wkt;
+        crs_ = wkt.empty() ? "" : gis::horizontal_crs(wkt);
+    }
+    values.grid.crs_wkt = *crs_;
     values.values.change_each_stored([](std::size_t, double& value) {
         value = std::isfinite(value) ? static_cast<double>(static_cast<float>(value)) : k_no_data;
     });

@@ -128,6 +128,7 @@ class ResultReader {
     };
     mutable std::map<std::string, Layers> layers_;        ///< by file, read once: opening a GeoPackage takes long
     mutable std::optional<std::vector<IniEntry>> scene_;  ///< likewise
+    mutable std::optional<std::string> crs_;              ///< of its rasters in memory, likewise
     mutable std::optional<GridSpec> grid_;                ///< likewise
     mutable std::vector<StoredFrame> frames_;             ///< likewise
     mutable std::map<std::string, MapLayer> greatest_;    ///< likewise

@@ -16,15 +16,15 @@ TEST_F(ConvergeCommand, ReportsLevelsAndLaterRunsReportThem) {
     write_scene("[output]\nmaps = off\nanimation = off\n");
     const Outcome study = frana({"converge", "scene.ini", "--out", "result-convergence", "--quiet"});
     ASSERT_EQ(study.exit_code, 0) << study.err;
-    EXPECT_NE(study.out.find("covered area"), std::string::npos) << study.out;
+    EXPECT_NE(study.out.find("Covered area"), std::string::npos) << study.out;
     for (const char* name : {"convergence.csv", "convergence.json", "convergence.png", "uncertainty.tif",
                              "uncertainty.qml", "uncertainty.sld"}) {
         EXPECT_TRUE(fs::exists(path("result-convergence/" + std::string(name)))) << name;
     }
     // A run of the scene still moves when its end is reached, and so does every level.
     const std::string json = read_text(path("result-convergence/convergence.json"));
-    EXPECT_TRUE(json_lists(json, "warnings", "on cells of 5 m: the flow still moves")) << json;
-    EXPECT_TRUE(json_lists(json, "warnings", "on cells of 20 m: ")) << json;
+    EXPECT_TRUE(json_lists(json, "warnings", "cells of 5 m: the flow still moves")) << json;
+    EXPECT_TRUE(json_lists(json, "warnings", "cells of 20 m: ")) << json;
     const std::string csv = read_text(path("result-convergence/convergence.csv"));
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);  // a header and three levels
     for (const char* statistic : {"max_depth_m,max_depth_p999_m,", "max_velocity_ms,max_velocity_p999_ms,"})

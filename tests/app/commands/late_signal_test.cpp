@@ -67,7 +67,7 @@ TEST_F(Late, SecondSignalEndsAtOnceAndResumingCompletes) {
     // So large that drawing one takes longer than the interval to the second signal.
     const std::vector<std::string> large{"--quiet",
                                          "--set",
-                                         "output.map-size=4000x2700",
+                                         "output.map-size=8000x8000",
                                          "--set",
                                          "output.maps=max_depth,max_velocity",
                                          "--set",

@@ -52,8 +52,8 @@ TEST_F(ResultTable, MapsShowTheValuesOfTheSummary) {
     changed["covered_area_m2"] = 123456;
     changed["runout"]["horizontal_m"] = 4321;
     write("old/summary.json", frana::json_text(changed));
-    EXPECT_NE(notes().find("Covered 123 456 m²"), std::string::npos) << notes();
-    EXPECT_NE(notes().find("Run-out 4 321 m"), std::string::npos) << notes();
+    EXPECT_NE(notes().find("Covered area (> 0.1 m): 123 456 m²"), std::string::npos) << notes();
+    EXPECT_NE(notes().find("Run-out: 4 321 m"), std::string::npos) << notes();
     fs::remove(path("old/summary.json"));
     EXPECT_EQ(notes().find("Run-out"), std::string::npos) << notes();
     EXPECT_NE(notes().find("Volume"), std::string::npos) << notes();
@@ -90,7 +90,7 @@ TEST_F(ResultTable, NamesAndIdsOfReleaseAreasReachOutlinesSummaryLogReportAndMap
     const std::string name = "Upper scar (A-17)";
     run(k_voellmy + k_numbers_only, "old");
     EXPECT_EQ(parse_json(read_text(path("old/summary.json")))["release_areas"][0]["name"], name);
-    EXPECT_NE(read_text(path("old/log.txt")).find("release area 1 '" + name + "'"), std::string::npos);
+    EXPECT_NE(read_text(path("old/log.txt")).find("release 1 '" + name + "'"), std::string::npos);
     const auto areas = gis::read_polygons(path("old/extent.gpkg") + "|layer=release", "EPSG:32632", "test");
     EXPECT_EQ(areas.features.at(0).texts.at("name"), name);
     EXPECT_EQ(app::ResultReader(path("old")).map_source().release_names, std::vector<std::string>{name});

@@ -26,7 +26,7 @@ class ReadRegion : public ::testing::Test {
 
 TEST_F(ReadRegion, ReadsBackAsWritten) {
     const StudyReading reading = read(
-        "[region]\nscene = s.ini\nname = NAME\nscenario = SC\nreturn-period = T\nwindow = 800\n[set]\ntime.end = 9\n"
+        "[region]\nscene = s.ini\nname = NAME\nscenario = SC\nreturn-period = T\n[set]\ntime.end = 9\n"
         "[columns]\nrelease.thickness = H\nmaterial.friction-coefficient = MU\n");
     EXPECT_TRUE(reading.problems.empty()) << describe(reading.problems.list().front());
     const StudySpec& study = reading.study;
@@ -36,7 +36,6 @@ TEST_F(ReadRegion, ReadsBackAsWritten) {
     EXPECT_EQ(study.region->columns.size(), 2U);
     EXPECT_EQ(study.region->columns[1].key, "material.friction-coefficient");
     EXPECT_EQ(study.region->columns[1].column, "MU");
-    EXPECT_EQ(study.region->window, 800.0);
     const StudyReading again = read(study_text(study));
     EXPECT_TRUE(again.problems.empty()) << describe(again.problems.list().front());
     EXPECT_EQ(study_text(again.study), study_text(study));
