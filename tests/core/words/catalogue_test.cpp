@@ -74,7 +74,7 @@ std::vector<std::string> parts_of(const std::string& title) {
 
 /// Returns every text that the program shows.
 const std::set<std::string>& shown_texts() {
-    static const auto k_texts = 798[] {
+    static const auto k_texts = [] {
         const std::string bytes = catalogue_of_sources();
         std::set<std::string> texts = english_texts(Catalogue(bytes));
         for (const ResultRaster& row : result_rasters())

@@ -70,7 +70,7 @@ void add_areas(const StudyFacts& facts, const Words& words, Table& table) {
         const double fraction = k_study_quantiles[q].fraction;
         std::string area = number.grouped(facts.reached_m2[q]);
         if (fraction == 0.5)
-            area += " (" + "95 %: " +
+            area += " (95 %: " +
                     words("{1} to {2}",
                           {number.grouped(facts.half_reached_m2.low), number.grouped(facts.half_reached_m2.high)}) +
                     ")";
@@ -260,8 +260,6 @@ Document slopes_section(const StudyInput& input, const StudyResult& result, cons
     section.heading("slopes", words("Slopes")).add(table);
     if (result.members.size() > k_most_slopes)
         section.small(words("{1} of {2}; all: {3}",
-                            {std::to_string(k_most_slopes),
-                             words.number(grouped(static_cast<double>(result.members.size()))), k_member_table})); {3} has all.",
                             {std::to_string(k_most_slopes),
                              words.number(grouped(static_cast<double>(result.members.size()))), k_member_table}));
     return section;
