@@ -255,7 +255,7 @@ Warnings structured_warnings(const StructuredMaterial& m, double thickness, doub
     constexpr double k_edge = 0.81;
     const double least = k_edge * std::tan(e.steepest_bed * std::numbers::pi / 180) * cell_size;
     if (thickness > 0 && thickness < least)
-        warnings.push_back(worded("release {1} m thick, edges stand under {2} m: terrain.cell-size = {3}",
+        warnings.push_back(worded("release edges stand ({1} of {2} m): use cells of {3} m",
                                   {numeral(number_text(thickness, 3)), numeral(number_text(least, 3)),
                                    number_text(0.5 * thickness / least * cell_size, 2)}));
     const double shortest = k_least_length * cell_size, longest = k_greatest_default * cell_size;

@@ -389,7 +389,7 @@ int cmd_ensemble(const Arguments& arguments) {
 
 CommandForm batch_form() {
     return study_form("batch",
-                      "Runs each polygon of a release layer as a slope of its own, in a window of the terrain, and "
+                      "Runs each polygon of a release layer as a slope of its own and "
                       "writes their union:\ngreatest depth, speed and pressure, how many slopes reach each cell and "
                       "which is the worst, maps of each scenario,\nthe degree of hazard, one table, one project.",
                       "that of the scene, with -region", "region", "REGION.ini");

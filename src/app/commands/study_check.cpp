@@ -43,6 +43,13 @@ SlopePlan plan_of(const study::StudyInput& input, std::size_t member) {
     const study::Slope& slope = input.slopes[member];
     SlopePlan plan{area(slope.outline), slope.problem};
     if (!plan.problem.empty()) return plan;
+    if (const Bounds all = input.base.scene.grid.bounds(), own = bounds(slope.outline);
+        !slope.outline.empty() && are_apart(all, own)) {
+        plan.problem = describe(Problem{"the polygon lies outside the DTM", input.central.where("release.perimeter"),
+                                        extent_text(own), extent_text(all),
+                                        "Check the coordinate reference systems of both files"});
+        return plan;
+    }
     const auto note = [&](const Error& error) { plan.problem = describe(error.problems().front()); };
     attempt(note, [&] {
         RunLog silent(true);

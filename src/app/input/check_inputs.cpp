@@ -447,7 +447,7 @@ void warn_of_unknown_exposure(const gis::FeatureLayer& layer, const Bounds& map,
     }
     if (unknown == 0) return;
     const auto whole = [](std::size_t count) { return numeral(grouped(static_cast<double>(count))); };
-    log.warn(worded("{1} of {2} exposed features off the map or without elevation: {3}",
+    log.warn(worded("{1} of {2} exposed features not on mapped ground, first: {3}",
                     {whole(unknown), whole(layer.features.size()), first}));
 }
 

@@ -359,18 +359,19 @@ void report(const TerrainInput& input, const SceneReading& reading, RunLog& log)
         log.note("terrain.error: a field of " + shortest_text(error->standard_deviation) + " m, range " +
                  shortest_text(error->range) + " m and seed " + std::to_string(error->seed) +
                  " was added to the elevations");
-    if (input.nodata_cells > 0) {
-        const std::string cells = grouped(input.nodata_cells);
-        if (input.filled_cells > 0)
-            log.warn(worded("{1} cells without elevation, {2} interpolated (terrain.nodata-policy = fill)",
-                            {numeral(cells), numeral(grouped(input.filled_cells))}));
-        else
-            log.note(cells + " cells of the working grid have no elevation; nodata-policy = " +
-                     word_of(reading.scene.numerics.nodata, k_nodata_policies));
-    }
+    warn_of_filled(input, log);
+    if (input.nodata_cells > 0 && input.filled_cells == 0)
+        log.note(grouped(input.nodata_cells) + " cells of the working grid have no elevation; nodata-policy = " +
+                 word_of(reading.scene.numerics.nodata, k_nodata_policies));
 }
 
 }  // namespace
+
+void warn_of_filled(const TerrainInput& input, RunLog& log) {
+    if (input.filled_cells > 0)
+        log.warn(worded("{1} cells without elevation, {2} interpolated (terrain.nodata-policy = fill)",
+                        {numeral(grouped(input.nodata_cells)), numeral(grouped(input.filled_cells))}));
+}
 
 DtmFile inspect_dtm(const SceneReading& reading, RunLog& log) {
     DtmFile dtm;

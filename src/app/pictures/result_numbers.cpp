@@ -212,7 +212,7 @@ Sentence creeping_sentence(const RunEnd& end) {
 
 std::string end_sentence(const RunEnd& end, const Words& words) {
     return "t = " + words.number(number_text(end.seconds, 3)) + " s: " + words(end.reason) + ", " +
-           words.number(number_text(end.fastest, 2)) + " m/s";
+           words.labelled(words("speed"), words.number(number_text(end.fastest, 2)) + " m/s");
 }
 
 SeriesEnds read_series_ends(const std::string& path) {

@@ -45,7 +45,8 @@ std::string range_text(const ReportInput& input, const ResultRaster& row) {
         if (std::isfinite(value)) greatest = std::max(greatest, value);
     });
     if (!std::isfinite(greatest)) return "";
-    return "≤ " + words.number(number_text(greatest, 3)) + (row.unit.empty() || row.unit == "-" ? "" : " " + row.unit);
+    return words("maximum") + " " + words.number(number_text(greatest, 3)) +
+           (row.unit.empty() || row.unit == "-" ? "" : " " + row.unit);
 }
 
 ReportMap described(const ReportInput& input, const std::string& name, const std::string& file) {
@@ -124,7 +125,7 @@ Document series_charts(const ReportInput& input) {
         for (const SeriesRow& row : input.result.series) series.points.push_back({row.time, row.*value});
         const std::string most = greatest_text(series.points, words);
         render::ChartPanel panel{"", seconds, label, {std::move(series)}, {0}};
-        charts.add(chart_figures(panel, label + " ≤ " + most, words));
+        charts.add(chart_figures(panel, label + ", " + words("maximum") + " " + most, words));
     };
     add(words("Front distance") + " [m]", &SeriesRow::front_distance);
     add(words("Maximum velocity") + " [m/s]", &SeriesRow::max_speed);
@@ -140,7 +141,7 @@ Document series_charts(const ReportInput& input) {
         if (series.empty()) return;
         std::string alt = label;
         for (const render::ChartSeries& one : series)
-            alt += "; " + one.label + " ≤ " + greatest_text(one.points, words);
+            alt += "; " + one.label + ", " + words("maximum") + " " + greatest_text(one.points, words);
         charts.add(chart_figures({"", seconds, label, std::move(series), {0}}, alt, words));
     };
     const Recording& recording = input.prepared.scene.recording;
@@ -165,7 +166,8 @@ Document score_chart(const std::vector<ComparisonStatistics>& curve, const Words
         hit.points.push_back({f.threshold_m, f.true_positive_rate});
         alarm.points.push_back({f.threshold_m, f.false_positive_rate});
     }
-    const std::string alt = words("Scores") + "; Jaccard ≤ " + words.number(number_text(greatest(jaccard.points), 3));
+    const std::string alt = words("Scores") + "; Jaccard, " + words("maximum") + " " +
+                            words.number(number_text(greatest(jaccard.points), 3));
     render::ChartPanel panel{"", words("Depth threshold") + " [m]", words("Scores"), {jaccard, hit, alarm}, {0}};
     panel.x = render::Scale::logarithmic;
     return chart_figures(panel, alt, words);

@@ -207,7 +207,7 @@ std::string accuracy_verdict(const AccuracyRecord& record, const Words& words) {
         if (e.is_zero || e.is_within()) continue;
         if (++unmet <= k_named) named.push_back(e.value.title.in(words) + " (" + error_text(e, words) + ")");
     }
-    if (unmet > k_named) named.push_back("… " + std::to_string(unmet - k_named));
+    if (unmet > k_named) named.emplace_back("…");
     return words("{1} not met by {2} of {3} values", {asked, std::to_string(unmet), all}) + ": " + joined(named, ", ") +
            rest;
 }

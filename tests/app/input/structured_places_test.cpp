@@ -157,7 +157,7 @@ const std::string k_sound[] = {"structured.cohesion=2000", "structured.young-mod
 TEST_F(StructuredPlaces, WhatIsLegalAndDubiousIsTold) {
     for (const Dubious& one :
          std::vector<Dubious>{{{}, ""},
-                              {{"structured.bed-friction-angle=28"}, "edges stand under"},
+                              {{"structured.bed-friction-angle=28"}, "release edges stand"},
                               {{"structured.bed-friction-angle=30", "structured.internal-friction-angle=25"},
                                "5 degrees over the internal"},
                               {{"structured.young-modulus=5e4", "structured.bulk-modulus=6e4"}, "before it yields"},
@@ -178,7 +178,7 @@ TEST_F(StructuredPlaces, WhatIsLegalAndDubiousIsTold) {
             expect_words(checked.told(), {one.words});
             continue;
         }
-        for (const char* words : {"has no effect", "shear within itself", "before it yields", "edges stand under"})
+        for (const char* words : {"has no effect", "shear within itself", "before it yields", "release edges stand"})
             EXPECT_EQ(checked.told().find(words), std::string::npos) << checked.told();
     }
 }

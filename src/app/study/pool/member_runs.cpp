@@ -35,6 +35,7 @@ Prepared prepared_member(const StudyInput& input, const MemberTask& task, RunLog
     reading.scene.output.profiles.reset();
     reading.scene.output.exposure.reset();
     Prepared prepared = prepare(reading, log);
+    if (input.reading.study.region) warn_of_filled(input.base.ground, log);  // known of the whole alone
     prepared.scene.time.frame_interval = 0;
     return prepared;
 }

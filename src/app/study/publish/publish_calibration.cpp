@@ -147,7 +147,7 @@ CalibrationResult calibration_result(const StudyInput& input, const CalibrationR
     result.indistinct = indistinct_pairs(result.after, sample.weights);
     result.sentences = sentences(result.posteriors, result.indistinct);
     if (troubles_of(runs.runs(), false).open > 0)
-        result.doubts.push_back(worded("scores are of unfinished flows: raise time.end or use a larger DTM"));
+        result.doubts.push_back(worded("scores and posterior are of flows partly unfinished: raise time.end"));
     judge(input, runs, model, result);
     for (Sentence& doubt : edge_doubts(result.posteriors)) result.doubts.push_back(std::move(doubt));
     if (const auto few = few_members(result.effective)) result.doubts.push_back(*few);

@@ -386,7 +386,8 @@ std::vector<Sentence> edge_doubts(const std::vector<KeyPosterior>& keys) {
     for (const KeyPosterior& key : keys) {
         const bool is_low = key.place_low<k_edge, is_high = key.place_high> 1 - k_edge;
         if (key.nominal || is_low == is_high) continue;
-        all.push_back(worded("{1} is at a limit of its distribution, {2}: widen [vary]",
+        all.push_back(worded(is_low ? worded("{1} at the lower limit of its distribution, {2}: widen [vary]")
+                                    : worded("{1} at the upper limit of its distribution, {2}: widen [vary]"),
                              {name_of(key), short_number(is_low ? key.low : key.high)}));
     }
     return all;
@@ -394,7 +395,8 @@ std::vector<Sentence> edge_doubts(const std::vector<KeyPosterior>& keys) {
 
 std::optional<Sentence> few_members(double effective) {
     if (effective >= k_few_members) return std::nullopt;
-    return worded("few members (effective number {1}): maps are rough; raise study.samples", {short_number(effective)});
+    return worded("few members (effective number {1}): maps and posterior.csv rough; raise study.samples",
+                  {short_number(effective)});
 }
 
 std::vector<double> kernel_widths(const Places& places, const std::vector<double>& weights, double least) {
