@@ -359,7 +359,7 @@ void report(const TerrainInput& input, const SceneReading& reading, RunLog& log)
         log.note("terrain.error: a field of " + shortest_text(error->standard_deviation) + " m, range " +
                  shortest_text(error->range) + " m and seed " + std::to_string(error->seed) +
                  " was added to the elevations");
-    warn_of_filled(input, log);
+    if (const auto filled = filled_warning(input)) log.warn(*filled);
     if (input.nodata_cells > 0 && input.filled_cells == 0)
         log.note(grouped(input.nodata_cells) + " cells of the working grid have no elevation; nodata-policy = " +
                  word_of(reading.scene.numerics.nodata, k_nodata_policies));
@@ -367,10 +367,10 @@ void report(const TerrainInput& input, const SceneReading& reading, RunLog& log)
 
 }  // namespace
 
-void warn_of_filled(const TerrainInput& input, RunLog& log) {
-    if (input.filled_cells > 0)
-        log.warn(worded("{1} cells without elevation, {2} interpolated (terrain.nodata-policy = fill)",
-                        {numeral(grouped(input.nodata_cells)), numeral(grouped(input.filled_cells))}));
+std::optional<Sentence> filled_warning(const TerrainInput& input) {
+    if (input.filled_cells == 0) return std::nullopt;
+    return worded("{1} cells without elevation, {2} interpolated (terrain.nodata-policy = fill)",
+                  {numeral(grouped(input.nodata_cells)), numeral(grouped(input.filled_cells))});
 }
 
 DtmFile inspect_dtm(const SceneReading& reading, RunLog& log) {

@@ -39,8 +39,8 @@ DtmFile inspect_dtm(const SceneReading& reading, RunLog& log);
 /// not known.
 std::optional<TerrainInput> prepare_terrain(const SceneReading& reading, RunLog& log, Problems& problems);
 
-/// Warns of cells whose elevation was interpolated.
-void warn_of_filled(const TerrainInput& input, RunLog& log);
+/// Tells cells whose elevation was interpolated; none if there are none.
+std::optional<Sentence> filled_warning(const TerrainInput& input);
 
 /// Looks at what was read of a large DTM so far, as check_terrain at all of a small one: the ground under the release.
 void check_ground_read(const SceneReading& reading, const TerrainInput& ground, const Raster& terrain, RunLog& log);

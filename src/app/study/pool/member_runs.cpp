@@ -35,7 +35,8 @@ Prepared prepared_member(const StudyInput& input, const MemberTask& task, RunLog
     reading.scene.output.profiles.reset();
     reading.scene.output.exposure.reset();
     Prepared prepared = prepare(reading, log);
-    if (input.reading.study.region) warn_of_filled(input.base.ground, log);  // known of the whole alone
+    if (const auto filled = filled_warning(input.base.ground); filled && input.reading.study.region)
+        prepared.scene.warnings.push_back(*filled);  // known of the whole alone
     prepared.scene.time.frame_interval = 0;
     return prepared;
 }
