@@ -154,8 +154,9 @@ bool shows_zones(const Metadata& metadata) {
 /// What the classes of a scheme mean, and the source of their limits.
 std::vector<std::string> scheme_notes(const std::string& kind, const Metadata& metadata, const Words& words) {
     const bool is_degree = kind == k_degree_map;
-    std::vector<std::string> notes{is_degree ? words("Degree of hazard from intensity and return period")
-                                             : words("Intensity of one scenario, without its frequency")};
+    std::vector<std::string> notes{is_degree               ? words("Degree of hazard from intensity and return period")
+                                   : shows_zones(metadata) ? words("Zones of one scenario, not a hazard zone plan")
+                                                           : words("Intensity of one scenario, without its frequency")};
     if (const auto source = metadata.find("HAZARD_SOURCE"); source != metadata.end())
         notes.push_back(words.labelled(words("Source"), words(source->second)));
     return notes;

@@ -146,7 +146,9 @@ Document high_values_table(const ReportInput& input) {
     for (std::size_t i = 0; i < high.size(); ++i) {
         const PeakStatistic& what = k_peak_statistics[i];
         const auto value = [&](double one) { return std::isnan(one) ? "–" : number(one); };
-        table.row({words(what.title) + " [" + what.row().unit + "]",
+        const std::string direction =
+            i == 0 ? std::string(", ") + words(input.result.depth_is_normal ? k_normal : k_vertical) : "";
+        table.row({words(what.title) + direction + " [" + what.row().unit + "]",
                    number(std::isnan(high[i].greatest) ? 0 : high[i].greatest), value(high[i].p999),
                    value(high[i].p99)});
     }
@@ -306,7 +308,8 @@ Document hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& area
     }
     Document told;
     told.paragraph(words("Scheme") + ".", words(scheme->called) + "; " + words(scheme->source))
-        .paragraph(words("Intensity of one scenario, without its frequency"))
+        .paragraph(scheme->has_zones() ? words("Zones of one scenario, not a hazard zone plan")
+                                       : words("Intensity of one scenario, without its frequency"))
         .add(table);
     for (const std::string& label : scheme->minimum_labels()) told.small(class_label(label, words));
     return told;

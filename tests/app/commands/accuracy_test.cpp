@@ -99,7 +99,10 @@ TEST_F(AccuracyRun, IsThePlainRunOnTheCellsThatItChose) {
 }
 
 TEST_F(AccuracyRun, StopsAtTheCoarsestCellsThatAreGoodEnough) {
-    ASSERT_EQ(run("loose", {"--set", "numerics.accuracy=100 %", "--set", "terrain.cell-size=1"}).exit_code, 0);
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "loose", "--quiet", "--set", "numerics.accuracy=100 %", "--set",
+                     "terrain.cell-size=1"})
+                  .exit_code,
+              0);
     const Json accuracy = summary("loose").at("accuracy");
     ASSERT_TRUE(accuracy.at("reached").get<bool>()) << accuracy.dump(1);
     for (const Json& value : accuracy.at("values"))

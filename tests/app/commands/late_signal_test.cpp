@@ -35,7 +35,7 @@ class Late : public Resuming {
         EXPECT_TRUE(program.wait_until([&] { return has_begun(result, file); })) << program.wait().err;
         for (const int number : signals) {
             program.send(number);
-            std::this_thread::sleep_for(std::chrono::milliseconds(20));  // two at once would count as one
+            std::this_thread::sleep_for(std::chrono::milliseconds(250));  // two at once would count as one
         }
         return program.wait();
     }
@@ -67,7 +67,7 @@ TEST_F(Late, SecondSignalEndsAtOnceAndResumingCompletes) {
     // So large that drawing one takes longer than the interval to the second signal.
     const std::vector<std::string> large{"--quiet",
                                          "--set",
-                                         "output.map-size=8000x8000",
+                                         "output.map-size=8000x6000",
                                          "--set",
                                          "output.maps=max_depth,max_velocity",
                                          "--set",

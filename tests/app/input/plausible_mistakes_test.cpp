@@ -299,11 +299,12 @@ TEST_F(Mistakes, ARunTellsOfExposedThingsOffItsGround) {
     write_polygon("house", {{9000, 30}, {9020, 30}, {9020, 50}, {9000, 50}});
     const Outcome run = frana({"run", "scene.ini", "--out", "result", "--set", "output.exposure=house.geojson"});
     EXPECT_EQ(run.exit_code, 0) << run.err;
-    expect_words(run.err, {"1 of 1 exposed features off the map"});
+    expect_words(run.err, {"1 of 1 exposed features not on mapped ground"});
     write("study.ini",
           "[study]\nscene = scene.ini\nsamples = 2\n[set]\noutput.exposure = house.geojson\n[vary]\n"
           "material.friction-angle = uniform(16, 20)\n");
-    expect_words(frana({"ensemble", "study.ini", "--out", "study"}).err, {"1 of 1 exposed features off the map"});
+    expect_words(frana({"ensemble", "study.ini", "--out", "study"}).err,
+                 {"1 of 1 exposed features not on mapped ground"});
 }
 
 // The raster fills a quarter of the outline.
@@ -327,7 +328,7 @@ class Terrain : public CheckedScene {
 
 TEST_F(Terrain, HigherThanAnyIsReportedWithItsPlace) {
     expect_words(told([](int, int column) { return 100 * (slope(column) - 8.75); }),
-                 {"29000 m at", "higher than any mountain", "527002.5", "terrain.vertical-unit"});
+                 {"29000 m at", "above any mountain", "527002.5", "check its unit"});
     expect_words(told([](int, int column) { return column > 50 ? 9999 : slope(column); }),
                  {"270 cells of 9999", "above any mountain"});
 }

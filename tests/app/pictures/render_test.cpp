@@ -72,11 +72,11 @@ TEST_F(Render, AFrameShowsItsOwnFigures) {
     ASSERT_LT(nearest, 0.01) << "the name of the file has six digits of the time";
     ASSERT_GT(last_front, front + 2);
     const std::string page = read_text(path("frame/depth_t" + found[1].str() + ".svg"));
-    EXPECT_NE(page.find(">Front at " + std::to_string(std::lround(front)) + " m</text>"), std::string::npos);
+    EXPECT_NE(page.find(">Front distance: " + std::to_string(std::lround(front)) + " m</text>"), std::string::npos);
     EXPECT_EQ(page.find(">Run-out"), std::string::npos);
     const std::string whole = read_text(path("frame/max_depth.svg"));
     EXPECT_NE(whole.find(">Run-out"), std::string::npos);
-    EXPECT_EQ(whole.find(">Front at"), std::string::npos);
+    EXPECT_EQ(whole.find(">Front distance"), std::string::npos);
 }
 
 TEST_F(Render, AFilmAndItsLegendAreNamedAfterWhatItShows) {

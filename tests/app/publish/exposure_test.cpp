@@ -229,7 +229,7 @@ TEST_F(Exposure, CheckCountsFeaturesAndWarnsOfThoseOffTheMap) {
     const Outcome outcome = frana({"check", "scene.ini"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("7 features"), std::string::npos) << outcome.out;
-    EXPECT_NE(outcome.err.find("2 of 7 exposed features off the map"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("2 of 7 exposed features not on mapped ground"), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("elsewhere"), std::string::npos) << outcome.err;
 }
 

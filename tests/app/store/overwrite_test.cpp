@@ -85,7 +85,7 @@ void Overwrite::make_studies(bool all) const {
                 "density = 2000\n");
     write("study.ini", "[study]\nscene = scene.ini\nsamples = 8\nsampling = random\nkeep = all\n" + two_keys);
     write("region.ini",
-          "[region]\nscene = scene.ini\nscenario = depth\nreturn-period = depth\nwindow = 120\n[set]\n"
+          "[region]\nscene = scene.ini\nscenario = depth\nreturn-period = depth\n[set]\n"
           "output.exposure = perimeter.geojson\n");
     write("surveyed.ini", read_text(path("scene.ini")) + "[scar]\nperimeter = scar.geojson\n");
     write("again.ini", read_text(path("surveyed.ini")));
