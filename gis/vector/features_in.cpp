@@ -33,7 +33,8 @@ void add_parts(const OGRGeometry& geometry, MixedShape& shape) {
             return;
         }
         case wkbLineString:
-            if (Polyline line = line_of(*geometry.toLineString()); !line.empty()) shape.lines.push_back(std::move(line));
+            if (Polyline line = line_of(*geometry.toLineString()); !line.empty())
+                shape.lines.push_back(std::move(line));
             return;
         case wkbPolygon:
         case wkbTriangle:
@@ -208,8 +209,8 @@ FeatureLayer read_features(const std::string& path, const std::string& target, c
         Feature& feature = layer.features.emplace_back();
         feature.fid = from.GetFID();
         feature.shape = shape_of(from);
-        feature.name = name >= 0 && from.IsFieldSetAndNotNull(name) ? from.GetFieldAsString(name)
-                                                                    : std::to_string(from.GetFID());
+        feature.name =
+            name >= 0 && from.IsFieldSetAndNotNull(name) ? from.GetFieldAsString(name) : std::to_string(from.GetFID());
         feature.count = count_of(from, count, source);
         read_attributes(from, feature);
     });

@@ -61,7 +61,7 @@ TrialGround::TrialGround(const std::string& maps) {
         "stop-when-still = off\nframe-interval = 1\n[output]\nmap-size = 640x480\ncharts = off\nanimation = off\n"
         "checkpoint-interval = 0.02\nmaps = " +
         maps + "\n");
-    write("region.ini", "[region]\nscene = scene.ini\nwindow = 100\n");
+    write("region.ini", "[region]\nscene = scene.ini\n");
     write("study.ini",
           "[study]\nscene = scene.ini\nsamples = 6\n[set]\ntime.end = 2\noutput.depth-thresholds = 0.5\n"
           "output.velocity-thresholds = 1\n[vary]\nmaterial.friction-coefficient = uniform(0.1, 0.3)\n");

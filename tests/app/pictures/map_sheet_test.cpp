@@ -239,7 +239,7 @@ TEST_F(MapSheet, TitleBlockAndSources) {
     for (const std::string& one : {std::string(">A. Rossi<"), std::string("Terrain: Lidar 2019, CC BY 4.0"),
                                    std::string("friction"), std::string("density"), std::string("Voellmy-Bingham")})
         EXPECT_NE(svg.find(one), std::string::npos) << one;
-    const std::regex day(">[0-9]{1,2} [A-Z][a-z]+ 20[0-9]{2}<");
+    const std::regex day(">20[0-9]{2}-[0-9]{2}-[0-9]{2}<");
     EXPECT_TRUE(std::regex_search(svg, day));
     EXPECT_EQ(svg_of({"--size", "A4"}), svg) << "redrawn it has the same bytes";
     const std::string other =
@@ -283,7 +283,7 @@ TEST_F(MapSheet, HazardMapsGiveTheNumbersOfTheirLimits) {
     const std::string svg = svg_of({"--size", "1600x1200"}, "hazard");
     EXPECT_NE(svg.find("0.5 m"), std::string::npos);
     EXPECT_NE(svg.find("2 m"), std::string::npos);
-    EXPECT_NE(svg.find("scheme Own"), std::string::npos);
+    EXPECT_NE(svg.find(", Own"), std::string::npos);
     EXPECT_EQ(svg.find("Class 1"), std::string::npos);
 }
 
@@ -322,8 +322,15 @@ TEST_F(MapSheet, ADifferenceIsInOneLanguageAndTellsTwoRunsOfOneSceneApart) {
         const Outcome outcome = render(options, "a");
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
         const std::string svg = read_text(path("sheet/difference_max_depth.svg"));
+        std::string plain;  // a line may be broken anywhere
+        for (std::size_t i = 0; i < svg.size(); ++i) {
+            if (svg[i] == '<')
+                i = svg.find('>', i);
+            else if (svg[i] != '\n' || (!plain.empty() && plain.back() != ' '))
+                plain += svg[i] == '\n' ? ' ' : svg[i];
+        }
         for (const std::string& line : {"A: " + std::string(release), "B: " + std::string(release)})
-            EXPECT_NE(svg.find(line), std::string::npos) << line << svg;
+            EXPECT_NE(plain.find(line), std::string::npos) << line << plain;
         EXPECT_EQ(svg.find(other_release), std::string::npos) << other_release;
         for (const char* line : {">A: Slope (a)<", ">B: Slope (b)<"})
             EXPECT_NE(svg.find(line), std::string::npos) << line;

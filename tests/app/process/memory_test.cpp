@@ -102,7 +102,7 @@ class MemoryOfMachine : public TinyScene {
   protected:
     MemoryOfMachine() {
         ::getrlimit(RLIMIT_AS, &before_);
-        const rlimit little{3'000'000'000, before_.rlim_max};
+        const rlimit little{1'250'000'000, before_.rlim_max};
         ::setrlimit(RLIMIT_AS, &little);
     }
     ~MemoryOfMachine() override { ::setrlimit(RLIMIT_AS, &before_); }

@@ -406,7 +406,7 @@ TEST_F(Output, AMapOfASchemeWhoseSourceWasNotReadSaysSo) {
     run("[output]\nmaps = hazard\nmap-formats = svg\nanimation = off\nframes = off\ncharts = off\n"
         "[hazard]\nscheme = austrian-torrent\n");
     const std::string map = text("maps/hazard.svg");
-    for (const char* said : {"customary limits, source", "Zones, ", "not a hazard zone plan", "Red zone"})
+    for (const char* said : {"customary limits, source", "Zones, ", "Zones of one scenario", "Red zone"})
         EXPECT_NE(map.find(said), std::string::npos) << said;
     for (const char* unsaid : {"BMLFUW", "Intensity"}) EXPECT_EQ(map.find(unsaid), std::string::npos) << unsaid;
     const std::string report = text("report.html");

@@ -117,24 +117,24 @@ TEST_F(Calibrate, SaysWhatRunsThatWereCutDoToIt) {
     ASSERT_EQ(run().exit_code, 0);
     for (const auto& map : std::filesystem::directory_iterator(path("out/maps"))) {
         const std::string page = read_text(map.path());
-        for (const char* words : {"16 of 16 runs were cut", "weighted"})
+        for (const char* words : {"16 of 16 runs cut while moving", "weighted"})
             EXPECT_NE(page.find(words), std::string::npos) << map.path() << " lacks " << words;
     }
     const Json summary = parse_json(read_text(path("out/summary.json")));
     EXPECT_EQ(summary["run_troubles"]["cut"], 16);
-    EXPECT_NE(summary["warnings"][0].get<std::string>().find("16 of 16 runs were cut"), std::string::npos);
+    EXPECT_NE(summary["warnings"][0].get<std::string>().find("16 of 16 runs cut while moving"), std::string::npos);
     EXPECT_NE(summary["warnings"][1].get<std::string>().find("posterior"), std::string::npos);
     // The number of a member alone names two runs.
     int named = 0;
     for (const std::string warning : summary["warnings"]) {
         if (warning.find("most of all member") == std::string::npos) continue;
         ++named;
-        EXPECT_NE(warning.find(" of posterior.csv: "), std::string::npos) << warning;
+        EXPECT_NE(warning.find(" (posterior.csv): "), std::string::npos) << warning;
     }
     EXPECT_GT(named, 0);
     for (const auto& row : table("out/posterior.csv")) EXPECT_GT(std::stod(row.at("moving_fraction")), 0.5);
     // Who reads the posterior reads its doubts, an ensemble of it too.
-    const std::string doubt = "16 of 16 runs were cut", posterior = read_text(path("out/posterior.csv"));
+    const std::string doubt = "16 of 16 runs cut while moving", posterior = read_text(path("out/posterior.csv"));
     EXPECT_TRUE(posterior.starts_with("# ")) << posterior.substr(0, 100);
     EXPECT_LT(posterior.find(doubt), posterior.find("\nmember,status"));
     write("again.ini", "[study]\nscene = slope.ini\nsampling = table:out/posterior.csv\n[set]\ntime.end = 3\n");

@@ -303,7 +303,7 @@ TEST_F(Ensemble, AReleaseThinnerThanTheTraceIsAWarningOfItsRuns) {
     const Outcome outcome = run();
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(parse_json(read_text(path("out/summary.json")))["warnings"].dump().find(
-                  "of release thinner than output.trace-threshold = 9 m"),
+                  "of flow thinner than output.trace-threshold = 9 m"),
               std::string::npos);
 }
 
@@ -317,7 +317,7 @@ TEST_F(Ensemble, WhatItsRunsWarnOfReachesEveryPage) {
     EXPECT_EQ(summary["run_troubles"]["cut"], 8);
     EXPECT_GT(summary["run_troubles"]["greatest_moving_fraction"].get<double>(), 0.5);
     ASSERT_FALSE(summary["warnings"].empty());
-    EXPECT_NE(summary["warnings"][0].get<std::string>().find("8 of 8 runs were cut"), std::string::npos);
+    EXPECT_NE(summary["warnings"][0].get<std::string>().find("8 of 8 runs cut while moving"), std::string::npos);
     for (const auto& row : members()) {
         EXPECT_EQ(row.at("stop_reason"), "end-time");
         EXPECT_GT(std::stod(row.at("moving_fraction")), 0.5);
@@ -332,7 +332,7 @@ TEST_F(Ensemble, WhatItsRunsWarnOfReachesEveryPage) {
     const std::size_t named = told.rfind(before, told.find(": the flow still moves")) + before.size();
     EXPECT_NEAR(moving.at(told.substr(named, told.find(':', named) - named)), most, 0.01) << told;
     const std::string report = read_text(path("out/report.html"));
-    EXPECT_LT(report.find("8 of 8 runs were cut"), report.find("id=\"answer\""));
+    EXPECT_LT(report.find("8 of 8 runs cut while moving"), report.find("id=\"answer\""));
     // Where they came not yet, they might have come.
     const GDALDatasetUniquePtr file(GDALDataset::Open(path("out/probability_depth_0.1.tif").c_str()));
     ASSERT_EQ(file->GetRasterCount(), 3);

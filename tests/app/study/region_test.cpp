@@ -285,7 +285,7 @@ TEST_F(Region, SlopesThatWereCutAreTold) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const Json summary = parse_json(read_text(path("out/summary.json")));
     EXPECT_EQ(summary["run_troubles"]["cut"], 3);
-    EXPECT_NE(summary["warnings"][0].get<std::string>().find("3 of 3 runs were cut"), std::string::npos);
+    EXPECT_NE(summary["warnings"][0].get<std::string>().find("3 of 3 runs cut while moving"), std::string::npos);
     for (const auto& row : members()) {
         EXPECT_EQ(row.at("stop_reason"), "end-time");
         EXPECT_GE(std::stoi(row.at("warnings")), 1);
@@ -298,7 +298,7 @@ TEST_F(Region, SlopesThatWereCutAreTold) {
     EXPECT_LT(std::stoi(house("sources")), 3);
     EXPECT_EQ(house("sources_upper"), "3") << "all of them might have come";
     const std::string report = read_text(path("out/report.html"));
-    EXPECT_LT(report.find("3 of 3 runs were cut"), report.find("id=\"answer\""));
+    EXPECT_LT(report.find("3 of 3 runs cut while moving"), report.find("id=\"answer\""));
     EXPECT_NE(report.find("it still moved at the end", report.find("<h2 id=\"slopes\"")), std::string::npos);
     EXPECT_NE(report.find("Farthest run-out [m]"), std::string::npos);
     const GDALDatasetUniquePtr file(GDALDataset::Open(path("out/members.gpkg").c_str(), GDAL_OF_VECTOR));

@@ -161,7 +161,7 @@ TEST_F(WithoutDrawing, ACalibrationIsRefused) {
 }
 
 TEST_F(WithoutDrawing, ARegionIsRefused) {
-    write("region.ini", "[region]\nscene = scene.ini\nwindow = 90\n[set]\noutput.maps = on\n");
+    write("region.ini", "[region]\nscene = scene.ini\n[set]\noutput.maps = on\n");
     expect_named_first({"batch", "region.ini", "--out", "out"}, "vtk.so");
 }
 

@@ -71,7 +71,7 @@ TEST_F(Ranks, RegionsHaveTheSameBitsToo) {
         "perimeter.geojson",
         R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "EPSG:32632"}}, "features": [)" +
             features + "]}");
-    write("region.ini", "[region]\nscene = scene.ini\nscheme = finite-volume\nwindow = 100\n");
+    write("region.ini", "[region]\nscene = scene.ini\nscheme = finite-volume\n");
     ASSERT_EQ(frana({"batch", "region.ini", "--out", "alone", "--threads", "1", "--quiet"}).exit_code, 0);
     const Outcome outcome = mpirun(2, {"batch", "region.ini", "--out", "ranks", "--quiet"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
