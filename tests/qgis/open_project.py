@@ -151,7 +151,7 @@ def check_project(folder, picture):
         assert layer.crs().authid() == "EPSG:32632", layer.crs().authid()
     groups = project.layerTreeRoot().children()
     names = [group.name().split(" – ")[0] for group in groups]
-    assert names == ["Outlines", "Maps", "Flow depth over time", "Terrain"], names
+    assert names == ["Outlines", "Maps", "Flow depth, t [s]", "Terrain"], names
     assert not groups[2].isVisible()
     check_frames(groups[2], folder)
     assert project.timeSettings().temporalRange().begin().isValid(), "no temporal range"

@@ -196,7 +196,7 @@ def test_loading():
     groups = [child for child in root.children() if isinstance(child, QgsLayerTreeGroup)]
     assert [group.name() for group in groups] == ["My slope"], root.dump()
     inside = [child.name().split(" – ")[0] for child in groups[0].children()]
-    assert inside == ["Outlines", "Maps", "Flow depth over time", "Terrain"], inside
+    assert inside == ["Outlines", "Maps", "Flow depth, t [s]", "Terrain"], inside
     layers = [node.layer() for node in root.findLayers()]
     assert len(layers) == len({layer.id() for layer in layers}) and all(layer.isValid() for layer in layers)
     by_file = {}
@@ -222,7 +222,7 @@ def test_compared_later():
     run("compare", {"RESULT": found["OUTPUT"], "OBSERVED": SCAR})
     project = QgsProject()
     assert project.read(found["PROJECT"])
-    survey = [layer for layer in project.mapLayers().values() if layer.name().startswith("Surveyed outline")]
+    survey = [layer for layer in project.mapLayers().values() if layer.name().startswith("Observed outline")]
     assert len(survey) == 1 and survey[0].isValid() and survey[0].featureCount() == 1, survey
     assert survey[0].crs().authid() == "EPSG:32632"
     layouts = project.layoutManager().printLayouts()
