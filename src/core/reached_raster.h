@@ -7,10 +7,12 @@
 
 namespace frana {
 
-/// A raster that has `value` but where a flow comes. From a map of half a thousand cells a side on it is tiled, so that
-/// cells that nothing reaches take neither memory nor time.
+/// Rasters of what a flow reaches are tiled on maps of more cells.
+inline constexpr std::int64_t k_largest_plain = 1 << 18;
+
+/// A raster that has `value` but where a flow comes: on a large map cells that nothing reaches take neither memory nor
+/// time.
 inline Raster reached_raster(GridSpec grid, double value) {
-    constexpr std::int64_t k_largest_plain = 1 << 18;
     if (grid.cell_count() <= k_largest_plain) return Raster(std::move(grid), value);
     Raster raster;
     raster.values = CellValues::tiled(grid.rows, grid.columns, value);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/reached_raster.h"
 #include "core/words/words.h"
 #include "params/keys/result_rasters.h"
 #include "simulation/finite_volume_flow.h"
@@ -32,7 +33,7 @@ void estimate_model(const Scene& scene, const Arrivals::Arrived& rest, std::int6
     const std::int64_t reached = released_cells > 0 ? std::min(cells, k_spread * released_cells) : cells;
     // Partly reached tiles count whole, and so does the border read round them; a scene may have several flows.
     constexpr std::int64_t k_tiles_round = 64;
-    e.stored_cells = model.nodes().is_on_demand()
+    e.stored_cells = model.nodes().is_on_demand() || cells > k_largest_plain
                          ? std::min(cells, 2 * reached + k_tiles_round * CellValues::k_side * CellValues::k_side)
                          : cells;
     e.memory_bytes = e.stored_cells * model.rasters_at_once() * static_cast<std::int64_t>(sizeof(double)) +

@@ -357,7 +357,7 @@ render::Image chart_of(const std::vector<SchemeLevels>& schemes, const Words& wo
     render::Chart chart{words("Convergence"), "", "", 4, {}, false, words};
     for (std::size_t i = 0; i < schemes.front().estimates.size(); ++i) {
         const RunStatistic& name = schemes.front().estimates[i].statistic;
-        render::ChartPanel panel{words(name.title), words("Cell size") + " [m]", words("Estimated error"), {}};
+        render::ChartPanel panel{words(name.title), words("Cell size") + " [m]", words("Difference"), {}};
         for (std::size_t s = 0; s < schemes.size(); ++s) {
             render::ChartSeries series = begin_series(schemes, s);
             const double limit = schemes[s].estimates[i].convergence.extrapolated;

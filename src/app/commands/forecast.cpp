@@ -170,8 +170,8 @@ constexpr std::int64_t k_step_bytes = 180, k_step_text_bytes = 450, k_step_chart
 constexpr std::int64_t k_computing_bytes = 30'000'000;
 // Frames waiting for the disk contain both quantities; particles eight numbers each, VTK's and GDAL's copies.
 constexpr std::int64_t k_frame_cell_bytes = 40, k_frame_particle_bytes = 330;
-// Per cell of a large map, in all rasters together, where nothing is stored.
-constexpr std::int64_t k_table_millibytes = 100;
+// Per cell that nothing reaches: tables of tiles, and terrain and bed where these are read whole, with their files.
+constexpr std::int64_t k_table_millibytes = 100, k_ground_cell_bytes = 45;
 // Particles split where the flow is thin; a trial without splitting does not predict it.
 constexpr double k_unseen_growth = 1.5;
 
@@ -219,10 +219,10 @@ std::int64_t memory_of(const Prepared& prepared, std::int64_t in_use, const RunE
     const std::int64_t writing = results + steps * k_step_text_bytes,
                        drawing = results + memory_of_drawing(drawing_of(prepared, cells)) +
                                  steps * (charts ? k_step_chart_bytes : k_step_bytes);
-    // Tables of tiles, of which a raster of a large map consists.
-    const std::int64_t tables =
-        cells < prepared.scene.grid.cell_count() ? prepared.scene.grid.cell_count() * k_table_millibytes / 1000 : 0;
-    return in_use + k_computing_bytes + tables + std::max({engine, writing, drawing});
+    const std::int64_t others = prepared.scene.grid.cell_count() - cells;
+    const std::int64_t ground =
+        prepared.scene.terrain.values.is_tiled() ? others * k_table_millibytes / 1000 : others * k_ground_cell_bytes;
+    return in_use + k_computing_bytes + ground + std::max({engine, writing, drawing});
 }
 
 // No speed exceeds that of free fall: a step is at least the time to cross a cell at that speed plus the waves'.
@@ -276,8 +276,11 @@ std::int64_t most_memory_of_run(const Prepared& prepared, std::int64_t in_use, c
         prepared.scene.structured
             ? 0
             : prepared.scene.grid.cell_count() * std::max(4, prepared.scene.numerics.particles_per_cell) * k_crowd;
-    const std::int64_t nodes = prepared.scene.grid.cell_count() * expected.bytes_per_node;
-    return nodes + memory_of(prepared, in_use, expected,
+    const std::int64_t cells = prepared.scene.grid.cell_count(), nodes = cells * expected.bytes_per_node;
+    RunEstimate everywhere = expected;
+    everywhere.stored_cells = cells;
+    everywhere.memory_bytes += (cells - expected.stored_cells) * k_result_cell_bytes;
+    return nodes + memory_of(prepared, in_use, everywhere,
                              {std::max(expected.particles, crowded), most_steps(prepared, expected)});
 }
 

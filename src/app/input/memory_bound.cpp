@@ -20,8 +20,6 @@ namespace {
 constexpr double k_most_particles = 1e9;
 // The fields of every particle, and the few that are copied during sorting.
 constexpr double k_least_particle_bytes = 120;
-// Terrain, bed, release, maxima and results; see forecast.cpp for the memory of a whole run.
-constexpr double k_least_cell_bytes = 120;
 
 std::optional<double> bytes_from_text(const std::string& text) {
     static const std::map<std::string, double> k_units{

@@ -10,6 +10,10 @@
 
 namespace frana::app {
 
+/// Of a cell of a map that is read whole, though nothing reaches it: terrain, bed and their files; see forecast.cpp for
+/// the memory of a whole run.
+inline constexpr double k_least_cell_bytes = 40;
+
 /// Returns the bytes of a user's limit ("4GB", "500 MB", "2GiB", bytes); logs if less is available. Throws
 /// Error(input).
 double memory_limit_from_text(const std::string& text, RunLog& log);

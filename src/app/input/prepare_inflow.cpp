@@ -127,8 +127,7 @@ std::vector<Row> rows_of(const gis::Table& table, const Columns& columns, const 
     return rows;
 }
 
-}  // namespace
-
+/// The scene's own, or the one named in the line's column. Throws Error(input).
 std::string hydrograph_file(const SceneReading& reading, const gis::Feature& feature, std::size_t number) {
     const std::string& given = *reading.scene.inflow.hydrograph;
     const std::string k_attribute = "attribute:";
@@ -142,6 +141,8 @@ std::string hydrograph_file(const SceneReading& reading, const gis::Feature& fea
     const std::size_t slash = reading.scene.file.find_last_of('/');
     return absolute_path(found->second, reading.scene.file.substr(0, slash));
 }
+
+}  // namespace
 
 Hydrograph read_hydrograph(const std::string& file, const Place& where, double gravity, double line_length) {
     const std::string place = where + ": " + file;

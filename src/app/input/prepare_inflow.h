@@ -6,7 +6,6 @@
 #include "app/input/prepare_terrain.h"
 #include "app/input/used_file.h"
 #include "core/error.h"
-#include "gis/vector/features_in.h"
 #include "simulation/scene.h"
 
 namespace frana::app {
@@ -15,10 +14,6 @@ namespace frana::app {
 /// only checked. Adds the files read to `files`.
 std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInput* ground,
                                    std::vector<UsedFile>& files, RunLog& log, Problems& problems);
-
-/// Returns the hydrograph's file for a line: the scene's own, or the one named in the line's column. Throws
-/// Error(input).
-std::string hydrograph_file(const SceneReading& reading, const gis::Feature& feature, std::size_t number);
 
 struct Hydrograph {
     std::vector<HydrographPoint> points;

@@ -163,8 +163,6 @@ double addresses_per_cell(const SceneSpec& scene) {
 constexpr int k_coarse_samples = 16;
 // A grid of this many cells already takes 3 GB for each of its rasters.
 constexpr double k_most_cells = 4e8;
-// Terrain, bed, release and five results as real numbers of 8 bytes, two more while files are written.
-constexpr double k_bytes_per_cell = 80;
 // terrain.nodata-policy = fill bridges holes, it does not invent ground: farther than this, cells stay empty.
 constexpr double k_fill_distance_cells = 50;
 
@@ -202,7 +200,7 @@ double cells_to_read(const gis::RasterInfo& file, const GridSpec& grid) {
 void check_size(const SceneReading& reading, const GridSpec& grid, bool on_demand) {
     const double cells = static_cast<double>(grid.columns) * static_cast<double>(grid.rows);
     const double per_cell = addresses_per_cell(reading.scene);
-    const double needed = cells * (on_demand ? k_table_bytes_per_cell : k_bytes_per_cell);
+    const double needed = cells * (on_demand ? k_table_bytes_per_cell : k_least_cell_bytes);
     if (const double room = address_room(); on_demand && cells * per_cell > room) {
         throw Error(ErrorKind::input,
                     Problem{"a run on the working grid of " + grouped(cells) + " cells maps up to " +
@@ -303,6 +301,22 @@ void read_on_demand(const SceneReading& reading, const GridSpec& grid, TerrainIn
         "samples were checked");
 }
 
+/// The DTM's file, of which no elevation was read, and the CRS of the working grid; empty: local.
+struct DtmFile {
+    gis::RasterInfo file;
+    std::string working_crs;
+};
+
+DtmFile inspect_dtm(const SceneReading& reading, RunLog& log) {
+    DtmFile dtm;
+    dtm.file = reading.session.read(gis::inspect_raster, reading.scene.terrain.dtm, reading.where("terrain.dtm"));
+    dtm.file = reading.session.read(gis::with_crs, dtm.file, dtm_crs(reading, dtm.file));
+    dtm.working_crs = choose_working_crs(reading, dtm.file, log);
+    check_vertical_unit(reading, dtm.file);
+    if (dtm.working_crs.empty()) dtm.file.crs_wkt.clear();
+    return dtm;
+}
+
 TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
     const TerrainSpec& spec = reading.scene.terrain;
     TerrainInput input;
@@ -371,16 +385,6 @@ std::optional<Sentence> filled_warning(const TerrainInput& input) {
     if (input.filled_cells == 0) return std::nullopt;
     return worded("{1} cells without elevation, {2} interpolated (terrain.nodata-policy = fill)",
                   {numeral(grouped(input.nodata_cells)), numeral(grouped(input.filled_cells))});
-}
-
-DtmFile inspect_dtm(const SceneReading& reading, RunLog& log) {
-    DtmFile dtm;
-    dtm.file = reading.session.read(gis::inspect_raster, reading.scene.terrain.dtm, reading.where("terrain.dtm"));
-    dtm.file = reading.session.read(gis::with_crs, dtm.file, dtm_crs(reading, dtm.file));
-    dtm.working_crs = choose_working_crs(reading, dtm.file, log);
-    check_vertical_unit(reading, dtm.file);
-    if (dtm.working_crs.empty()) dtm.file.crs_wkt.clear();
-    return dtm;
 }
 
 void check_ground_read(const SceneReading& reading, const TerrainInput& ground, const Raster& terrain, RunLog& log) {

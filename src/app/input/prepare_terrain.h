@@ -25,15 +25,6 @@ struct TerrainInput {
         on_demand;  ///< of a large DTM, read where the flow comes; null: all read
 };
 
-/// The DTM's file, of which no elevation was read, and the CRS of the working grid; empty: local.
-struct DtmFile {
-    gis::RasterInfo file;
-    std::string working_crs;
-};
-
-/// Throws Error(input).
-DtmFile inspect_dtm(const SceneReading& reading, RunLog& log);
-
 /// Reads the DTM onto the working grid; a large one only where somebody asks for its elevations, with a few samples to
 /// check. Adds every problem to `problems`; none is returned when the ground is
 /// not known.

@@ -61,7 +61,7 @@ std::string pace_words(const AnimationSource& animation, double seconds) {
     const double simulated = animation.frames.back().time - animation.frames.front().time;
     if (!(seconds > 0) || !(simulated > 0)) return {};
     const Words& words = animation.source.style.words;
-    return "1 s : " + words.number(number_text(simulated / seconds, 2)) + " s";
+    return words("1 s of playback: {1} s", {words.number(number_text(simulated / seconds, 2))});
 }
 
 /// Returns a picture of the animation's layer at its size, with its pace: a MapSpec or a ViewSpec.

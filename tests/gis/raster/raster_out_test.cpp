@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "core/reached_raster.h"
 #include "gis/access/gdal_session.h"
 #include "gis/crs/crs.h"
 #include "gis/raster/raster_in.h"
@@ -69,6 +70,21 @@ TEST(WriteGeotiff, IsReadBackOnItsOwnGrid) {
             ASSERT_EQ(back.values[i], static_cast<float>(raster.values[i]));
         }
     }
+}
+
+// Tiles are how it is kept, not what is written.
+TEST(WriteGeotiff, OfWhatAFlowReachesIsThatOfAPlainRaster) {
+    const Folder folder;
+    const Raster plain = bowl(600, 500);
+    Raster tiled = reached_raster(plain.grid, k_no_data);
+    ASSERT_TRUE(tiled.values.is_tiled());
+    for (std::size_t i = 0; i < plain.values.size(); ++i)
+        if (!std::isnan(plain.values[i])) tiled.values[i] = plain.values[i];
+    ASSERT_LT(tiled.values.stored_cells(), 600 * 500);
+    write_geotiff(folder.file("plain.tif"), plain, k_text);
+    write_geotiff(folder.file("tiled.tif"), tiled, k_text);
+    EXPECT_EQ(test::text_in(folder.file("tiled.tif")), test::text_in(folder.file("plain.tif")));
+    EXPECT_FALSE(reached_raster({0, 0, 1, 512, 512, ""}, 0).values.is_tiled());
 }
 
 TEST(WriteGeotiff, IsCloudOptimisedWithTextsAndStatisticsInside) {

@@ -9,23 +9,10 @@
 #include "app/input/layer_values.h"
 #include "app/publish/publish_hazard.h"
 #include "app/store/scene_identity.h"
-#include "app/text/number_text.h"
-#include "core/cell_values.h"
 #include "core/text.h"
-#include "gis/crs/crs_transform.h"
-#include "gis/raster/working_grid.h"
-#include "params/grammar/value_text.h"
 
 namespace frana::app::study {
 namespace {
-
-/// @param all polygons of a region; those without an area, which fail alone, too
-gis::PolygonLayer polygons_of(const SceneReading& reading, const std::string& crs, const LayerSpec& choice, bool all) {
-    const std::string key = "release.perimeter";
-    gis::LayerChoice own = layer_choice(reading, choice, key);
-    own.keep_unusable = all;
-    return reading.session.read(gis::read_polygons, *reading.scene.release.perimeter, crs, reading.where(key), own);
-}
 
 /// Refuses a scheme without intensities, or with several matrices of which hazard.process names none.
 void settle_degree(StudyInput& input) {
@@ -121,7 +108,11 @@ void prepare_region(StudyInput& input, const std::optional<Problem>& place, RunL
     input.base.scene.time.frame_interval = 0;
     settle_degree(input);
     const GridSpec& grid = input.base.scene.grid;
-    const gis::PolygonLayer layer = polygons_of(of_all, grid.crs_wkt, of_all.scene.release.perimeter_layer, true);
+    const std::string key = "release.perimeter";
+    gis::LayerChoice all = layer_choice(of_all, of_all.scene.release.perimeter_layer, key);
+    all.keep_unusable = true;  // those without an area fail alone
+    const gis::PolygonLayer layer =
+        of_all.session.read(gis::read_polygons, *of_all.scene.release.perimeter, grid.crs_wkt, of_all.where(key), all);
     for (std::size_t i = 0; i < layer.features.size() && i < input.slopes.size(); ++i)
         input.slopes[i].outline = layer.features[i].parts;
     input.identity = "study = region\n" + values_text(input.table) + scene_identity(input.base);

@@ -220,8 +220,8 @@ Table facts_table(const StudyInput& input, const CalibrationRuns& runs, const Ca
     std::vector<std::string> cells;
     for (const StudyInput& event : input.own) cells.push_back(number(event.base.scene.grid.cell_size));
     Table table;
-    table.row({words("Members"), words("{1}, of which {2} spread over the distributions",
-                                       {std::to_string(runs.size()), std::to_string(runs.design)})});
+    table.row({words("Runs"), words("{1}, of which {2} spread over the distributions",
+                                    {std::to_string(runs.size()), std::to_string(runs.design)})});
     table.row({words("Effective number"), number(result.effective, 3)});
     table.row({with_unit(words("Cell size"), "m"), joined(cells, ", ")});
     if (const std::size_t failed = failed_of(runs.runs()); failed > 0)

@@ -25,7 +25,6 @@
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
 #include "core/text.h"
-#include "gis/crs/crs_transform.h"
 #include "gis/raster/footprint.h"
 #include "gis/raster/raster_out.h"
 #include "params/keys/output_parameters.h"
