@@ -34,11 +34,13 @@ class Late : public Resuming {
         StartedProgram program(folder_.string(), command(result, more));
         EXPECT_TRUE(program.wait_until([&] { return has_begun(result, file); })) << program.wait().err;
         for (const int number : signals) {
+            if (signals.size() > 1) std::this_thread::sleep_for(k_apart);
             program.send(number);
-            std::this_thread::sleep_for(std::chrono::milliseconds(250));  // two at once would count as one
         }
         return program.wait();
     }
+    // Of two signals: the next picture has begun, and both are not taken for one.
+    static constexpr std::chrono::milliseconds k_apart{200};
     void expect_completed(const std::string& result, std::vector<std::string> more = {}) const {
         more.emplace_back("--resume");
         const Outcome resumed = frana(command(result, more));
@@ -64,7 +66,7 @@ TEST_F(Late, SignalLeavesOutPicturesWhichResumingDraws) {
 }
 
 TEST_F(Late, SecondSignalEndsAtOnceAndResumingCompletes) {
-    // So large that drawing one takes longer than the interval to the second signal.
+    // So large that drawing one takes much longer than both intervals.
     const std::vector<std::string> large{"--quiet",
                                          "--set",
                                          "output.map-size=8000x6000",
