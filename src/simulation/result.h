@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/energy_line.h"
 #include "core/archive.h"
 #include "core/geometry.h"
 #include "core/point_table.h"
@@ -262,6 +263,7 @@ struct RunResult {
     std::optional<Jumps> jumps;  ///< none if nothing flew
     /// Greatest rise of energy not explained by gravity and dissipation (EnergyWatch); none if unknown.
     std::optional<double> energy_error;
+    EnergyLineExcess energy_line;  ///< by places
     HardEvents hard_events;
     std::vector<RunProblem> run_problems;  ///< of the run's last step
     std::vector<std::string> terms;        ///< physics and numerics of the run

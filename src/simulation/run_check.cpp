@@ -7,7 +7,12 @@
 #include <limits>
 #include <optional>
 
+#include "analysis/trace.h"
 #include "core/geometry.h"
+#include "core/reached_raster.h"
+#include "params/keys/laws.h"
+#include "params/keys/result_rasters.h"
+#include "physics/friction_coulomb.h"
 #include "simulation/scene.h"
 #include "simulation/structured_laws.h"
 
@@ -232,6 +237,43 @@ std::vector<RunProblem> RunCheck::check(const Model& model, const StepStatistics
     if (statistics.non_finite == 0 && error > k_volume_drift * entered)
         report(Kind::volume_drift, 0, error / entered, k_volume_drift);
     return run_problems;
+}
+
+EnergyLineExcess energy_line_excess(const RunResult& result, const Scene& scene, double pressure_factor) {
+    const Raster &bed = result.raster(RasterName::bed), &release = result.raster("release"),
+                 &depth = result.raster(RasterName::max_depth), &speed = result.raster(RasterName::max_velocity);
+    const double gravity = scene.numerics.gravity;
+    double fastest = scene.structured ? recoil_speed(*scene.structured) : 0, push = 0;
+    for (const ReleaseArea& area : scene.release) fastest = std::max(fastest, area.speed);
+    Raster source = reached_raster(scene.grid, k_no_data);
+    const auto enters = [&](std::size_t cell, double deep, double fast) {
+        if (deep > 0) source.values[cell] = bed.values[cell] + deep + fast * fast / (2 * gravity);
+    };
+    release.values.for_each_stored([&](std::size_t cell, double deep) { enters(cell, deep, fastest); });
+    if (scene.structured && scene.structured->initial_fluid)
+        scene.structured->initial_fluid->values.for_each_stored(
+            [&](std::size_t cell, double deep) { enters(cell, std::max(deep, release.values[cell]), fastest); });
+    for (const Point place : result.inflow_places) {
+        const Cell at = cell_of(scene.grid, scene.grid.local_from_map(place));
+        const std::size_t cell = bed.index(at.row, at.column);
+        enters(cell, depth.values[cell], speed.values[cell]);
+    }
+    for (const Raster* deep : {&depth, &release})
+        if (const double deepest = maximum(*deep); deepest > 0) push = std::max(push, pressure_factor * deepest);
+    push += deepest_erosion(scene);
+    const double friction = scene.structured ? 0 : scene.material.of<CoulombFriction>().bed_friction_coefficient();
+    const std::optional<Raster>& zones = scene.zones.friction_coefficient;
+    const double buoyed = 1 - scene.material.of<CoulombFriction>().pore_pressure(scene.material.density).greatest();
+    const std::vector<std::string> terms = bed_friction_terms(scene.material);
+    const bool resists = !scene.structured && std::any_of(terms.begin(), terms.end(), [](const std::string& term) {
+        return find_law(LawKind::bed_friction, term).resists_with_friction;
+    });
+    return energy_line_excess({bed, source, depth, speed,
+                               [&](std::size_t cell) {
+                                   const double here = zones ? zones->values[cell] : friction;
+                                   return resists && here > 0 ? buoyed * here : 0;
+                               },
+                               gravity, push});
 }
 
 void add(const RunProblem& run_problem, HardEvents& events) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/energy_line.h"
 #include "core/error.h"
 #include "simulation/arrivals.h"
 #include "simulation/model.h"
@@ -51,6 +52,10 @@ class RunCheck {
     double gravity_, top_, depth_, at_start_;  // of material that enters: surface [m], depth for waves [m], speed [m/s]
     double lowest_, erodible_;                 // bed known at the start, and how far it may be eroded [m]
 };
+
+/// Compares the maxima of a finished run with its energy line.
+/// @param pressure_factor as RunCheck's
+EnergyLineExcess energy_line_excess(const RunResult& result, const Scene& scene, double pressure_factor);
 
 void add(const RunProblem& run_problem, HardEvents& events);
 StopReason reason_of(const RunProblem& run_problem);

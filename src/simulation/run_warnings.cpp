@@ -110,6 +110,16 @@ void warn_of_energy(const RunResult& result, Warnings& warnings) {
         {worded("energy error {1} %: speeds and run-out may be too great", {percent(*result.energy_error)}), false});
 }
 
+void warn_of_energy_line(const RunResult& result, Warnings& warnings) {
+    const EnergyLineExcess& excess = result.energy_line;
+    if (excess.of_fall <= k_line_error) return;
+    const double volume = std::min(excess.volume, result.volume_entered);  // cells are covered one after the other
+    warnings.push_back(
+        {worded("flow {1} m above its energy line at {2} (up to {3} m3)",
+                {numeral(number_text(excess.height, 3)), place_of(excess.place), numeral(grouped(volume))}),
+         false, excess.place});
+}
+
 /// Crowded particles at rest feel the pressure of a shallower flow: a pile of them may stand too high.
 void warn_of_piles(const RunResult& result, const Scene& scene, Warnings& warnings) {
     const std::optional<Pile> pile = highest_pile(result, scene);
@@ -351,6 +361,7 @@ Warnings run_warnings(const RunResult& result, const Scene& scene) {
     warnings += release_warnings(scene, result.raster(RasterName::bed), result.raster("release"), result.released,
                                  result.particles_initial);
     warn_of_energy(result, warnings);
+    warn_of_energy_line(result, warnings);
     warn_of_narrow_flow(result, scene, warnings);
     warn_of_piles(result, scene, warnings);
     const double shown = result.volume_shown;

@@ -444,6 +444,7 @@ RunResult SteppedRun::finish() {
     result.volume_left = model_->volume_left();
     if (!arrivals_.done())
         result.notes.emplace_back("the run ended before all release areas had failed or all inflow had entered");
+    if (finite) result.energy_line = energy_line_excess(result, scene_, model_->pressure_factor());
     const Warnings of_model = std::exchange(result.warnings, run_warnings(result, scene_));
     (result.warnings += of_model) += scene_.warnings;
     engine_.stop();

@@ -386,8 +386,7 @@ std::vector<Sentence> edge_doubts(const std::vector<KeyPosterior>& keys) {
     for (const KeyPosterior& key : keys) {
         const bool is_low = key.place_low<k_edge, is_high = key.place_high> 1 - k_edge;
         if (key.nominal || is_low == is_high) continue;
-        all.push_back(worded(is_low ? worded("{1} at the lower limit of its distribution, {2}: widen [vary]")
-                                    : worded("{1} at the upper limit of its distribution, {2}: widen [vary]"),
+        all.push_back(worded("{1} at the limit {2} of its distribution: widen [vary]",
                              {name_of(key), short_number(is_low ? key.low : key.high)}));
     }
     return all;

@@ -235,8 +235,8 @@ TEST(CalibratedPosterior, AnEndWithin2PercentOfTheDistributionsLimitIsTold) {
     key.key = "material.turbulence";
     key.low = 101;
     key.high = 160;
-    for (const auto& [low, high, told] : {std::tuple{0.01, 0.6, "at the lower limit of its distribution, 101: widen"},
-                                          {0.3, 0.99, "at the upper limit of its distribution, 160: widen"},
+    for (const auto& [low, high, told] : {std::tuple{0.01, 0.6, "at the limit 101 of its distribution: widen"},
+                                          {0.3, 0.99, "at the limit 160 of its distribution: widen"},
                                           {0.03, 0.97, ""},
                                           {0.01, 0.99, ""}}) {  // it says nothing of this key
         key.place_low = low;
