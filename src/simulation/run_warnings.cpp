@@ -115,7 +115,7 @@ void warn_of_energy_line(const RunResult& result, Warnings& warnings) {
     if (excess.of_fall <= k_line_error) return;
     const double volume = std::min(excess.volume, result.volume_entered);  // cells are covered one after the other
     warnings.push_back(
-        {worded("flow {1} m above its energy line at {2} (up to {3} m3)",
+        {worded("flow {1} m above its energy line at {2} (≤ {3} m3)",
                 {numeral(number_text(excess.height, 3)), place_of(excess.place), numeral(grouped(volume))}),
          false, excess.place});
 }
