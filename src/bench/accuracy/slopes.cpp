@@ -51,7 +51,7 @@ SlabOutcome run_slab(double cell_size, Scheme scheme, const Slab& slab, const st
     setup.numerics = numerics_of(scheme, SlopeCorrection::normal, Boundary::wall);
     TimedFlow run(setup);
     SlabOutcome outcome;
-    run.advance_to(slab.time, [&](const voellmy_bingham::StepReport& report) {
+    run.advance_to(slab.time, [&](const StepStatistics& report) {
         // The velocity after a step is that of the particles' motion in it.
         outcome.distance += middle_speed(run, k_slab_middle + travel(run.model().time())) * report.dt;
     });
@@ -423,7 +423,7 @@ CaseStatistics run_conservation(double cell_size, Scheme scheme) {
     TimedFlow run(setup);
     const double volume = run.model().volume();
     double worst_volume = 0, worst_momentum = 0;
-    const auto check = [&](const voellmy_bingham::StepReport&) {
+    const auto check = [&](const StepStatistics&) {
         const Budget particles = of_particles(run.particles());
         const Flow::NodalFields fields = run.fields();
         const Budget nodes = scheme == Scheme::finite_volume ? of_cells(fields) : of_nodes(run.flow().nodes());

@@ -46,7 +46,7 @@ class FilmRun {
     /// Steps to `end`, or until nothing is left; calls observe(film) after each step.
     void advance_to(double end, const std::function<void(const Film&)>& observe) {
         const double lag = setup_.numerics.scheme == Scheme::finite_volume ? 0 : 0.5;  // of leapfrog's velocities
-        run_->advance_to(end, [&](const voellmy_bingham::StepReport& step) { observe(film(lag * step.dt)); });
+        run_->advance_to(end, [&](const StepStatistics& step) { observe(film(lag * step.dt)); });
     }
     /// Sets the point about which angular momentum is computed.
     void turns_about(Point middle) { middle_ = middle; }

@@ -7,6 +7,8 @@
 #include "mpm/boundary.h"
 #include "mpm/shape.h"
 #include "physics/laws.h"
+#include "simulation/finite_volume_flow.h"
+#include "simulation/structured_flow.h"
 
 namespace frana::bench {
 namespace {
@@ -126,81 +128,79 @@ void TimedFlow::time(const Work& work) {
     cpu_seconds_ += frana::cpu_seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
 }
 
-TimedFlow::TimedFlow(const Setup& setup, int threads) {
+TimedFlow::TimedFlow(const Setup& s, int threads) {
     time([&] {
-        if (setup.numerics.scheme == Scheme::finite_volume) {
-            volumes_.emplace(setup.bed, std::nullopt, setup.seeds, setup.material, setup.numerics, threads,
-                             MaterialZones{}, Entrainment{}, setup.tilt);
+        if (s.structured) {
+            model_ = std::make_unique<StructuredFlow>(s.bed, std::nullopt, *s.structured, s.numerics, s.seeds, threads);
+        } else if (s.numerics.scheme == Scheme::finite_volume) {
+            model_ = std::make_unique<FiniteVolumeFlow>(s.bed, std::nullopt, s.seeds, s.material, s.numerics, threads,
+                                                        s.zones, s.entrainment, s.tilt);
         } else {
-            flow_.emplace(setup.bed, setup.seeds, setup.material, setup.numerics, threads, setup.tilt);
+            auto flow =
+                std::make_unique<Flow>(s.bed, s.seeds, s.material, s.numerics, threads, s.tilt, s.zones, s.entrainment);
+            flow_ = flow.get();
+            model_ = std::move(flow);
         }
     });
-    peak_ = model().particle_count();
+    peak_ = model_->particle_count();
 }
 
-void TimedFlow::advance_to(double end, const std::function<void(const voellmy_bingham::StepReport&)>& after_step) {
-    Model& model = this->model();
+void TimedFlow::advance_to(double end, const std::function<void(const StepStatistics&)>& after_step) {
+    Model& model = *model_;
     // A last step shorter than this would only be rounding.
     while (model.time() < end * (1 - 1e-12) && non_finite_ == 0 && !model.empty()) {
         const double before = model.time();
-        voellmy_bingham::StepReport report;
-        time([&] {
-            if (flow_) {
-                report = flow_->advance(end - before);
-                non_finite_ += report.particles.non_finite;
-            } else {
-                const StepStatistics step = volumes_->step(end - before);
-                report.dt = step.dt;
-                report.nodes.max_speed = step.max_speed;
-                non_finite_ += step.non_finite;
-            }
-        });
+        StepStatistics step;
+        time([&] { step = model.step(end - before); });
+        non_finite_ += step.non_finite;
         peak_ = std::max(peak_, model.particle_count());
         if (!(model.time() > before))
             ++non_finite_;  // a step that does not advance time results from a non-finite
                             // value
-        if (after_step) after_step(report);
+        if (after_step) after_step(step);
     }
     model.synchronise();
 }
 
 Flow::NodalFields TimedFlow::fields() {
-    if (flow_) return flow_->nodal_fields();
-    const finite_volume::State& state = volumes_->state();
-    const auto raster = [&](const auto& value) {
-        Raster all = volumes_->raster_of(value);
-        all.values.change_each_stored([](std::size_t, double& here) { here = std::isnan(here) ? 0 : here; });
-        return all;
-    };
-    return {raster([&](std::size_t k) { return state.depth[k]; }),
-            raster([&](std::size_t k) { return state.depth[k] * volumes_->motion_of(k).u; }),
-            raster([&](std::size_t k) { return state.depth[k] * volumes_->motion_of(k).v; })};
+    if (flow_ != nullptr) return flow_->nodal_fields();
+    const GridSpec& grid = model_->grid();
+    Flow::NodalFields fields{Raster(grid, 0), Raster(grid, 0), Raster(grid, 0)};
+    const NodeGrid& nodes = model_->nodes();
+    model_->for_each_active_state([&](std::size_t k, const NodeState& state) {
+        const auto node = static_cast<std::int64_t>(k);
+        const Cell cell = cell_of(grid, nodes.middle(node % nodes.stride(), node / nodes.stride()));
+        fields.depth.at(cell.row, cell.column) = state.volume_depth;
+        fields.momentum_x.at(cell.row, cell.column) = state.moved_x;
+        fields.momentum_y.at(cell.row, cell.column) = state.moved_y;
+    });
+    return fields;
 }
 
 const ParticleSet& TimedFlow::particles() {
-    if (flow_) return flow_->particles();
+    if (flow_ != nullptr) return flow_->particles();
     cells_ = ParticleSet();
-    const finite_volume::State& state = volumes_->state();
-    const std::int64_t stride = state.nodes.stride();
-    volumes_->for_each_active_node([&](std::size_t k) {
-        if (!(state.depth[k] > 0)) return;
+    const NodeGrid& nodes = model_->nodes();
+    const double area = model_->grid().cell_area();
+    model_->for_each_active_state([&](std::size_t k, const NodeState& state) {
+        if (!(state.volume_depth > 0)) return;
         const auto node = static_cast<std::int64_t>(k);
-        const Point middle = state.nodes.middle(node % stride, node / stride);
-        const finite_volume::CellMotion motion = volumes_->motion_of(k);
+        const Point middle = nodes.middle(node % nodes.stride(), node / nodes.stride());
         ParticleRow row = ParticleSet::initial_row();
         get(row, Field::x) = middle.x;
         get(row, Field::y) = middle.y;
-        get(row, Field::u) = motion.u;
-        get(row, Field::v) = motion.v;
-        get(row, Field::area) = state.cell_area();
-        get(row, Field::volume) = state.depth[k] * state.cell_area();
+        get(row, Field::u) = state.u;
+        get(row, Field::v) = state.v;
+        get(row, Field::area) = area;
+        get(row, Field::volume) = state.volume_depth * area;
         cells_.push_back(row);
     });
     return cells_;
 }
 
 Point TimedFlow::velocity(std::size_t particle) const {
-    return flow_ ? flow_->map_velocity(particle) : Point{cells_[Field::u][particle], cells_[Field::v][particle]};
+    return flow_ != nullptr ? flow_->map_velocity(particle)
+                            : Point{cells_[Field::u][particle], cells_[Field::v][particle]};
 }
 
 }  // namespace frana::bench

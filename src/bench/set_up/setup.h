@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,8 +16,8 @@
 #include "core/raster.h"
 #include "params/keys/shared_values.h"
 #include "particles/particle_set.h"
-#include "simulation/finite_volume_flow.h"
 #include "simulation/flow.h"
+#include "simulation/scene.h"
 
 namespace frana::bench {
 
@@ -81,6 +82,9 @@ struct Setup {
     Material material;
     Numerics numerics;
     std::optional<TiltedGravity> tilt;
+    MaterialZones zones{};
+    Entrainment entrainment{};
+    std::optional<StructuredMaterial> structured{};  ///< instead of `material`: the structured model
 };
 
 /// No friction, no stress, 1000 kg/m3.
@@ -112,13 +116,13 @@ class TimedFlow {
     explicit TimedFlow(const Setup& setup, int threads = 1);
 
     /// Steps to `end`, or until a value is not finite; `after_step` is not timed.
-    void advance_to(double end, const std::function<void(const voellmy_bingham::StepReport&)>& after_step = {});
+    void advance_to(double end, const std::function<void(const StepStatistics&)>& after_step = {});
 
     /// With particles only.
     [[nodiscard]] Flow& flow() noexcept { return *flow_; }
-    [[nodiscard]] Model& model() noexcept { return flow_ ? static_cast<Model&>(*flow_) : *volumes_; }
+    [[nodiscard]] Model& model() noexcept { return *model_; }
     [[nodiscard]] Flow::NodalFields fields();
-    /// By finite volumes each cell with material counts as one.
+    /// By finite volumes and in the structured model each cell with material counts as one.
     [[nodiscard]] const ParticleSet& particles();
     /// In map view [m/s].
     [[nodiscard]] Point velocity(std::size_t particle) const;
@@ -132,8 +136,8 @@ class TimedFlow {
     template <class Work>
     void time(const Work& work);
 
-    std::optional<Flow> flow_;
-    std::optional<FiniteVolumeFlow> volumes_;
+    std::unique_ptr<Model> model_;
+    Flow* flow_ = nullptr;  ///< the same, if it is one
     ParticleSet cells_;
     double seconds_ = 0, cpu_seconds_ = 0;
     std::int64_t peak_ = 0, non_finite_ = 0;
