@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "analysis/energy_line.h"
+#include "analysis/trace.h"
 #include "bench/set_up/setup.h"
 #include "physics/laws.h"
 #include "simulation/run_check.h"
@@ -57,6 +59,28 @@ double fastest_in_map(const Model& model, double minimum_depth) {
     return fastest;
 }
 
+// How far the maxima are above the energy line, of the fall.
+double above_line(const Setup& setup, const Model& model) {
+    const ParticleSet& seeds = setup.seeds;
+    const GridSpec& grid = setup.bed.grid;
+    Raster source(grid, k_no_data);
+    for (std::size_t p = 0; p < seeds.size(); ++p) {
+        const Cell at = cell_of(grid, {seeds[Field::x][p], seeds[Field::y][p]});
+        const double u = seeds[Field::u][p], v = seeds[Field::v][p];
+        const double head = seeds[Field::volume][p] / seeds[Field::area][p] + (u * u + v * v) / (2 * k_gravity);
+        const double before = source.at(at.row, at.column), here = setup.bed.at(at.row, at.column) + head;
+        source.at(at.row, at.column) = std::isnan(before) ? here : std::max(before, here);
+    }
+    const Raster depth = model.to_raster(model.maxima().depth), speed = model.to_raster(model.maxima().speed);
+    const CoulombFriction::Values& coulomb = setup.material.of<CoulombFriction>();
+    const std::optional<Raster>& zones = setup.zones.friction_coefficient;
+    const double uniform = setup.structured ? 0 : coulomb.bed_friction_coefficient();
+    return energy_line_excess({setup.bed, source, depth, speed,
+                               [&](std::size_t cell) { return zones ? zones->values[cell] : uniform; }, k_gravity,
+                               model.pressure_factor() * maximum(depth)})
+        .of_fall;
+}
+
 bool walled_in(const Setup& setup) {
     const bool gaps =
         std::any_of(setup.bed.values.begin(), setup.bed.values.end(), [](double z) { return std::isnan(z); });
@@ -94,6 +118,7 @@ Soundness watch(TimedFlow& run, const Setup& setup, double end) {
     });
     s.courant = way / static_cast<double>(std::max<std::int64_t>(1, model.steps()));
     s.energy_rise = energy.error().value_or(0);
+    s.above_line = above_line(setup, model);
     s.non_finite = run.non_finite() + count_non_finite(run.particles());
     s.particles = run.peak_particles();
     s.steps = model.steps();
@@ -106,6 +131,7 @@ void Soundness::merge(const Soundness& other) {
     volume_error = std::max(volume_error, other.volume_error);
     speed_ratio = std::max(speed_ratio, other.speed_ratio);
     energy_rise = std::max(energy_rise, other.energy_rise);
+    above_line = std::max(above_line, other.above_line);
     courant = std::max(courant, other.courant);
     last_speed = std::max(last_speed, other.last_speed);
     particles = std::max(particles, other.particles);
@@ -311,6 +337,7 @@ StabilityRow run_case(const HardCase& one, const Variant& variant, int threads) 
         row.figures.push_back({"speed over the highest possible", s.speed_ratio, 1});
         if (!variant.structured && (one.figures & k_energy))
             row.figures.push_back({"energy rise, of the work of gravity", s.energy_rise, k_energy_limit});
+        row.figures.push_back({"above the energy line, of the fall", s.above_line, k_line_error});
         if (courant > 0)
             row.figures.push_back(
                 {"way of a wave in a step, of the Courant number", s.courant / courant, k_courant_limit});

@@ -26,6 +26,7 @@ struct Soundness {
     double volume_error = 0;      ///< |inside + left + in the bed - start| / start; what is walled in cannot leave
     double speed_ratio = 0;       ///< greatest speed over sqrt(2 g drop) + 2 sqrt(g depth); at most 1
     double energy_rise = 0;       ///< by EnergyWatch, of the work of gravity
+    double above_line = 0;        ///< greatest height above the energy line, of the fall
     double courant = 0;           ///< greatest way of a wave or particle in a step, in cells
     double last_speed = 0;        ///< root of the mean squared speed at the end [m/s]
     std::int64_t particles = 0;   ///< greatest number
