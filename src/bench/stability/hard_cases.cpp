@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hard materials: each law's parameters from one end of their range to the other.
-// Hard numerics: few and many particles, long steps, far coordinates, extreme cell sizes, other transfers.
+// Hard numerics: few and many particles, long steps, extreme cell sizes, other transfers.
 #include <algorithm>
 #include <cmath>
 
 #include "bench/stability/usual_slide.h"
-#include "params/keys/result_rasters.h"
 #include "physics/laws.h"
-#include "simulation/simulation.h"
 
 namespace frana::bench {
 namespace {
@@ -261,50 +259,6 @@ HardCase scaled(const char* name, const char* what, double scale, double limit =
     return one;
 }
 
-Scene scene_at(Scheme scheme, double west, double north) {
-    Scene scene;
-    scene.numerics.scheme = scheme;
-    scene.grid = {west, north, 2, 80, 40, ""};
-    scene.terrain = Raster(scene.grid);
-    for (std::int64_t row = 0; row < scene.grid.rows; ++row)
-        for (std::int64_t column = 0; column < scene.grid.columns; ++column)
-            scene.terrain.at(row, column) = usual_slope({2 * static_cast<double>(column) + 1, 0});
-    ReleaseArea area;
-    area.outline = {
-        {{{west + 20, north - 50}, {west + 40, north - 50}, {west + 40, north - 30}, {west + 20, north - 30}}, {}}};
-    area.thickness = 3;
-    scene.release = {area};
-    scene.material = dry_friction(15);
-    scene.time.end = 8;
-    return scene;
-}
-
-// The engine works in metres from the grid's corner, and all coordinates here are whole numbers, so a scene
-// far from the origin must give the same bits.
-Figure far_coordinates(const Variant& variant, int threads, Soundness& sound) {
-    RunOptions options;
-    options.threads = threads;
-    const RunResult near = run(scene_at(variant.scheme, 0, 80), options),
-                    far = run(scene_at(variant.scheme, 600000, 5000000), options);
-    double greatest = 0;
-    for (std::size_t c = 0; c < near.raster(RasterName::max_depth).values.size(); ++c) {
-        const double a = near.raster(RasterName::max_depth).values[c], b = far.raster(RasterName::max_depth).values[c];
-        if (std::isnan(a) != std::isnan(b)) greatest = std::numeric_limits<double>::infinity();
-        if (!std::isnan(a)) greatest = std::max(greatest, std::abs(a - b));
-    }
-    sound.non_finite = far.hard_events.non_finite;
-    sound.volume_error = std::abs(far.volume_final + far.volume_left - far.volume_initial) / far.volume_initial;
-    for (const double speed : far.raster(RasterName::max_velocity).values) {
-        const double limit = std::sqrt(2 * k_gravity * 43) + 2 * std::sqrt(k_gravity * 3);
-        if (!std::isnan(speed)) sound.speed_ratio = std::max(sound.speed_ratio, speed / limit);
-    }
-    sound.energy_rise = far.energy_error.value_or(0);
-    sound.particles = far.particles_peak;
-    sound.steps = far.steps;
-    sound.wall_seconds = near.engine_seconds + far.engine_seconds;
-    return {"greatest difference of max depth [m]", greatest, 0};
-}
-
 }  // namespace
 
 std::vector<HardCase> hard_numerics_cases() {
@@ -321,14 +275,6 @@ std::vector<HardCase> hard_numerics_cases() {
         scaled("half-metre", "all lengths a quarter: cells of 0.5 m", 0.25),
         scaled("forty-metres", "all lengths times 20: cells of 40 m", 20, 1e-2),
         scaled("hundred-metres", "all lengths times 50: cells of 100 m", 50, 1e-2),
-        {"far-coordinates",
-         "a scene at 600 000, 5 000 000 m against one at the origin",
-         0,
-         {},
-         k_one_phase,
-         0,
-         {},
-         far_coordinates},
         // A second thread must not change a bit.
         {"threads",
          "1, 2, 5 and all threads",
