@@ -326,7 +326,9 @@ struct NodeSweep {
         // The particles' own mean velocity: the new nodal velocity overshoots at nodes with almost no mass.
         const Number gathered = bed.speed(old);
         if (!ghost) {
-            const Number whole = 0.5 * mass * inverse_area, more = whole - whole / drive.n;
+            // As high as what presses: volume over the part of the cell that is claimed, on the rim of a thick pile
+            // twice the cell's mean. Else it would gain energy as it spreads, 6 % at 20 m on cells of 5 m.
+            const Number whole = 0.5 * mass * max(Number(inverse_area), 1 / in.area), more = whole - whole / drive.n;
             count_energy(real, mass, in.height + whole - (1 - in.ponding) * more, bed, old, turned, driven, after);
             const Number weight = select(real, k.gravity * mass * more, zero);
             levelled += in.ponding * weight;

@@ -115,9 +115,10 @@ struct Settling {
     double window = 0;  ///< [s]
     double runout = 0;  ///< increase of the distance to the farthest cell of the trace [m]
     double area = 0;    ///< relative growth of the trace
-    /// Whether run-out and area changed by no more than time.stop-change allows: only the deposit may still creep.
+    /// Whether run-out and area changed by no more than time.stop-change allows: only the deposit may still move.
     bool front_is_final = false;
-    double deposit = 0;  ///< fraction of all volume that moved to other cells; above 1 if it did so several times
+    double deposit = 0;        ///< fraction of all volume that changed cell
+    double deposit_error = 0;  ///< the same if the deposit were shifted by a cell: the error of the cells
 };
 
 enum class StopReason {

@@ -261,22 +261,24 @@ std::string stop_word(StopReason reason) {
     return "end-time";
 }
 
-MotionAtEnd motion_at_end(StopReason reason, double fastest, double moving_fraction, bool front_is_final) noexcept {
+MotionAtEnd motion_at_end(StopReason reason, double fastest, double moving_fraction, bool front_is_final,
+                          double deposit_change) noexcept {
     constexpr double k_moving_speed = 0.1;    // [m/s]
     constexpr double k_moving_volume = 0.01;  // however thin it moves
     // More than creeps: a front that rests while so much moves may be pushed on from behind.
     constexpr double k_creeping_volume = 0.05;
-    front_is_final = front_is_final && moving_fraction <= k_creeping_volume;
-    // What a loose time.stop-change calls settled may still move.
-    const bool in_motion =
-        ends_in_motion(reason) || (reason == StopReason::settled && moving_fraction > k_creeping_volume);
-    const bool moves = in_motion && (fastest > k_moving_speed || moving_fraction > k_moving_volume);
+    // What has settled has a final deposit as well, but for a loose time.stop-change.
+    const bool has_settled = reason == StopReason::settled;
+    front_is_final = front_is_final && (has_settled ? deposit_change : moving_fraction) <= k_creeping_volume;
+    const bool moves =
+        (has_settled || ends_in_motion(reason)) && (fastest > k_moving_speed || moving_fraction > k_moving_volume);
     return {moves && !front_is_final, moves && front_is_final};
 }
 
 MotionAtEnd motion_at_end(const RunResult& result) noexcept {
     return motion_at_end(result.stop_reason, result.series.empty() ? 0 : result.series.back().max_speed,
-                         result.moving_fraction_limit, result.settling && result.settling->front_is_final);
+                         result.moving_fraction_limit, result.settling && result.settling->front_is_final,
+                         result.settling ? result.settling->deposit : 0);
 }
 
 GapContact gap_contact(const RunResult& result, const Scene& scene, NodataPolicy policy) {
@@ -323,6 +325,7 @@ void add_end(Json& json, const RunResult& result, const SceneSpec& spec) {
                             {"area_growth", s.area},
                             {"front_is_final", s.front_is_final},
                             {"deposit_change", s.deposit},
+                            {"deposit_error", s.deposit_error},
                             {"stop_change", spec.time.stop_change},
                             {"stop_window", spec.time.stop_window}};
     }

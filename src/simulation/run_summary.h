@@ -143,11 +143,13 @@ std::string stop_word(StopReason reason);
 /// How material moved when a run ended.
 struct MotionAtEnd {
     bool front = false;    ///< the front still moved: run-out and final depth are not those of the deposit
-    bool deposit = false;  ///< run-out and area had stopped changing, the deposit still crept
+    bool deposit = false;  ///< run-out and area had stopped changing, some of the deposit still moved
 };
 /// @param fastest greatest speed of the last step [m/s]
 /// @param moving_fraction fraction of the volume that still moved
-MotionAtEnd motion_at_end(StopReason reason, double fastest, double moving_fraction, bool front_is_final) noexcept;
+/// @param front_is_final, deposit_change as in Settling; false, 0: not known
+MotionAtEnd motion_at_end(StopReason reason, double fastest, double moving_fraction, bool front_is_final,
+                          double deposit_change) noexcept;
 MotionAtEnd motion_at_end(const RunResult& result) noexcept;
 
 /// Flow that came to ground without elevation, which should stop the run (NodataPolicy::stop): only a particle that

@@ -22,9 +22,11 @@ namespace {
 
 constexpr double k_least_window = 10;  // [s]
 constexpr double k_samples = 5;        // in a window
-constexpr double k_of_deposit = 4;     // limit of the fraction of the volume that moves, in multiples of the limit of
-                                       // the area's change
+constexpr double k_to_come = 3;        // change to come, in those of a window
 constexpr double k_calm = 0.1;         // fraction of the kinetic energy's peak below which values may settle
+// Bounds of the fraction of the volume that changes cell, in multiples of time.stop-change: less is never asked for on
+// fine cells, more never allowed on coarse ones.
+constexpr double k_least_of_deposit = 2, k_most_of_deposit = 8;
 
 }  // namespace
 
@@ -37,11 +39,7 @@ void SettlingWatch::restart(double time) {
     samples_.clear();
 }
 
-double SettlingWatch::window(double now) const noexcept {
-    return std::max(k_least_window, time_.stop_window * (now - since_));
-}
-
-SettlingWatch::Sample SettlingWatch::sample(const Model& model) {
+SettlingWatch::Sample SettlingWatch::sample(const Model& model) const {
     Sample sample;
     sample.time = model.time();
     double farthest2 = 0;
@@ -57,51 +55,68 @@ SettlingWatch::Sample SettlingWatch::sample(const Model& model) {
     });
     sample.area = static_cast<double>(cells) * grid_.cell_area();
     sample.runout = std::sqrt(farthest2);
-
-    std::vector<Lying> now;
     model.for_each_active_state([&](std::size_t node, const NodeState& state) {
-        if (state.volume_depth > 0) now.push_back({node, state.volume_depth});
+        if (state.volume_depth > 0) sample.lying.push_back({node, state.volume_depth});
     });
-    std::sort(now.begin(), now.end(), [](const Lying& a, const Lying& b) { return a.node < b.node; });
-    // Volume added to one cell was removed from another: half the sum of changes; volume that left the map counts half
-    // as well.
+    std::sort(sample.lying.begin(), sample.lying.end(), [](const Lying& a, const Lying& b) { return a.node < b.node; });
+    return sample;
+}
+
+// Volume that changed cell, over the cell's area. What one cell lost another gained: half the sum of changes; what left
+// the map counts half as well.
+double SettlingWatch::moved(const std::vector<Lying>& from, const std::vector<Lying>& to) {
     double changed = 0;
-    auto a = lying_.begin(), b = now.begin();
-    while (a != lying_.end() || b != now.end()) {
-        if (b == now.end() || (a != lying_.end() && a->node < b->node)) {
+    auto a = from.begin(), b = to.begin();
+    while (a != from.end() || b != to.end()) {
+        if (b == to.end() || (a != from.end() && a->node < b->node)) {
             changed += a++->depth;
-        } else if (a == lying_.end() || b->node < a->node) {
+        } else if (a == from.end() || b->node < a->node) {
             changed += b++->depth;
         } else {
             changed += std::abs(a++->depth - b++->depth);
         }
     }
-    sample.moved = 0.5 * changed * grid_.cell_area();
-    lying_ = std::move(now);
-    return sample;
+    return 0.5 * changed;
+}
+
+// The same if all were shifted by a cell, the mean of both directions: the falls between neighbours, which equal the
+// rises.
+double SettlingWatch::moved_by_a_cell(const std::vector<Lying>& lying, std::uint64_t stride) {
+    double falls = 0;
+    for (const std::uint64_t step : {std::uint64_t{1}, stride}) {
+        auto beside = lying.begin();
+        for (const Lying& here : lying) {
+            while (beside != lying.end() && beside->node < here.node + step) ++beside;
+            const bool there = beside != lying.end() && beside->node == here.node + step;
+            falls += std::max(0.0, here.depth - (there ? beside->depth : 0));
+        }
+    }
+    return 0.5 * falls;
 }
 
 bool SettlingWatch::settled(const Model& model, double kinetic, double all) {
     peak_ = std::max(peak_, kinetic);
     if (!(time_.stop_change > 0) || model.time() < next_) return false;
-    const double length = window(model.time());
+    const double length = std::max(k_least_window, time_.stop_window * (model.time() - since_));
     next_ = model.time() + length / k_samples;
     samples_.push_back(sample(model));
-    const Sample& now = samples_.back();
     // The window's first sample is the last of those that are old enough.
-    std::size_t first = 0;
-    while (first + 1 < samples_.size() && samples_[first + 1].time <= now.time - length) ++first;
-    samples_.erase(samples_.begin(), samples_.begin() + static_cast<std::ptrdiff_t>(first));
-    if (samples_.front().time > now.time - length) return false;
-    Settling change{now.time - samples_.front().time, now.runout - samples_.front().runout,
-                    now.area > 0 ? (now.area - samples_.front().area) / now.area : 0, false, 0};
-    for (std::size_t i = 1; i < samples_.size(); ++i) change.deposit += samples_[i].moved;
-    if (all > 0) change.deposit /= all;
-    const double most = time_.stop_change;
-    change.front_is_final = now.area > 0 && kinetic < k_calm * peak_ &&
-                            change.runout <= std::max(grid_.cell_size, most * now.runout) && change.area <= most;
+    const double from = model.time() - length;
+    while (samples_.size() > 1 && samples_[1].time <= from) samples_.erase(samples_.begin());
+    const Sample &first = samples_.front(), &now = samples_.back();
+    if (first.time > from) return false;
+    const double each = all > 0 ? grid_.cell_area() / all : 0, most = time_.stop_change;
+    Settling change;
+    change.window = now.time - first.time;
+    change.runout = now.runout - first.runout;
+    change.area = now.area > 0 ? (now.area - first.area) / now.area : 0;
+    change.deposit = each * moved(first.lying, now.lying);
+    change.deposit_error = each * moved_by_a_cell(now.lying, static_cast<std::uint64_t>(model.nodes().stride()));
+    change.front_is_final = now.area > 0 && kinetic < k_calm * peak_ && change.area <= most &&
+                            k_to_come * change.runout <= std::max(grid_.cell_size, most * now.runout);
     last_ = change;
-    return change.front_is_final && change.deposit <= k_of_deposit * most;
+    return change.front_is_final && change.deposit <= std::clamp(change.deposit_error / k_to_come,
+                                                                 k_least_of_deposit * most, k_most_of_deposit * most);
 }
 
 // Corrections of the rasters of a run before they are returned.

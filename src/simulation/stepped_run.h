@@ -22,49 +22,33 @@ namespace frana {
 
 /// Determines when the main results have stopped changing: the run-out, the area covered above the trace threshold, and
 /// the distribution of the volume. They are sampled at intervals, always after the same steps, and compared with their
-/// values one window earlier. The window is a fraction of the time since the last release or inflow, since a
-/// decelerating flow changes less and less in the same time, and a steady one does not. Values cannot settle before the
-/// kinetic energy has fallen well below its peak: a mass that only begins to move changes little.
+/// values one window earlier. The window is a quarter of the time since the last release or inflow: what fades as
+/// 1 / time still changes by three times as much as in the window, so that each limit is a third of the error that is
+/// allowed (k_to_come). Of the deposit that is what shifting it by a cell would change. Values cannot settle before
+/// the kinetic energy has fallen well below its peak: a mass that only begins to move changes little.
 class SettlingWatch {
   public:
     SettlingWatch(const TimeControl& time, const GridSpec& grid, const FrontOrigins& origins);
 
     /// Restarts the window at this time [s], at which material entered.
     void restart(double time);
-    /// Called after a step, Returns whether the values have
-    /// settled.
+    /// Called after a step. Returns whether the values have settled.
     /// @param kinetic energy over density [m5/s2]
     /// @param all volume that entered or was eroded so far [m3]
     bool settled(const Model& model, double kinetic, double all);
     /// Their changes over the last window; none before the first window is complete.
-    [[nodiscard]] const std::optional<Settling>& last() const noexcept { return last_; }
+    [[nodiscard]] std::optional<Settling> last() const {
+        return last_.window > 0 ? std::optional(last_) : std::nullopt;
+    }
 
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [time, grid, origins, since, next, peak, samples, lying, last] = *this;
-        archive(since, next, peak, samples, lying);
-        bool there = last.has_value();
-        archive(there);
-        if (there && !last) last.emplace();
-        if (there) archive(last->window, last->runout, last->area, last->front_is_final, last->deposit);
-        if constexpr (Archive::k_reads) {
-            if (!there) last.reset();
-        }
+        [[maybe_unused]] auto& [time, grid, origins, since, next, peak, samples, last] = *this;
+        archive(since, next, peak, samples, last.window, last.runout, last.area, last.front_is_final, last.deposit,
+                last.deposit_error);
     }
 
   private:
-    struct Sample {
-        double time = 0;
-        double runout = 0;  ///< farthest cell of the trace from the nearest origin, in map view [m]
-        double area = 0;    ///< of the trace [m2]
-        double moved = 0;   ///< volume moved to other cells since the previous sample [m3]
-
-        template <class Archive>
-        void serialise(Archive& archive) {
-            auto& [t, far, covered, volume] = *this;
-            archive(t, far, covered, volume);
-        }
-    };
     struct Lying {
         std::uint64_t node = 0;
         double depth = 0;  ///< volume over cell area [m]
@@ -75,9 +59,22 @@ class SettlingWatch {
             archive(place, height);
         }
     };
+    struct Sample {
+        double time = 0;
+        double runout = 0;         ///< farthest cell of the trace from the nearest origin, in map view [m]
+        double area = 0;           ///< of the trace [m2]
+        std::vector<Lying> lying;  ///< by node
 
-    [[nodiscard]] double window(double now) const noexcept;
-    [[nodiscard]] Sample sample(const Model& model);
+        template <class Archive>
+        void serialise(Archive& archive) {
+            auto& [t, far, covered, deposit] = *this;
+            archive(t, far, covered, deposit);
+        }
+    };
+
+    [[nodiscard]] Sample sample(const Model& model) const;
+    static double moved(const std::vector<Lying>& from, const std::vector<Lying>& to);
+    static double moved_by_a_cell(const std::vector<Lying>& lying, std::uint64_t stride);
 
     const TimeControl& time_;
     const GridSpec& grid_;
@@ -85,9 +82,8 @@ class SettlingWatch {
     double since_ = 0;             // time of the last entry [s]
     double next_ = 0;              // next sample [s]
     double peak_ = 0;              // of kinetic energy over density [m5/s2]
-    std::vector<Sample> samples_;  // of the last window and one before it
-    std::vector<Lying> lying_;     // at the last sample, by node
-    std::optional<Settling> last_;
+    std::vector<Sample> samples_;  // of the last window
+    Settling last_;                // window 0: none
 };
 
 /// Checks that a flow gains no energy by numerical errors. Motion under gravity and friction alone conserves

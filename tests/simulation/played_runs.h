@@ -277,7 +277,8 @@ inline void expect_same(const RunResult& a, const RunResult& b) {
     EXPECT_EQ(a.stop_reason, b.stop_reason);
     ASSERT_EQ(a.settling.has_value(), b.settling.has_value());
     if (a.settling) {
-        for (double Settling::*number : {&Settling::window, &Settling::runout, &Settling::area, &Settling::deposit})
+        for (double Settling::*number :
+             {&Settling::window, &Settling::runout, &Settling::area, &Settling::deposit, &Settling::deposit_error})
             EXPECT_EQ(std::bit_cast<std::uint64_t>(*a.settling.*number),
                       std::bit_cast<std::uint64_t>(*b.settling.*number));
         EXPECT_EQ(a.settling->front_is_final, b.settling->front_is_final);

@@ -195,19 +195,21 @@ std::string warning_line(const Warnings& warnings, const Words& words, std::size
 RunEnd run_end(const RunResult& result) {
     const double fastest = result.series.empty() ? 0 : result.series.back().max_speed;
     return run_end(describe(result.stop_reason), result.simulated_seconds, fastest, result.moving_fraction_limit,
-                   result.settling && result.settling->front_is_final);
+                   result.settling && result.settling->front_is_final, result.settling ? result.settling->deposit : 0);
 }
 
-RunEnd run_end(const std::string& reason, double seconds, double fastest, double moving_fraction, bool front_is_final) {
+RunEnd run_end(const std::string& reason, double seconds, double fastest, double moving_fraction, bool front_is_final,
+               double deposit_change) {
     StopReason known = StopReason::still;
     for (int i = 0; i <= static_cast<int>(StopReason::volume_drift); ++i)
         if (const auto one = static_cast<StopReason>(i); reason == describe(one)) known = one;
-    const MotionAtEnd motion = motion_at_end(known, fastest, moving_fraction, front_is_final);
-    return {reason, seconds, fastest, motion.front, motion.deposit};
+    const MotionAtEnd motion = motion_at_end(known, fastest, moving_fraction, front_is_final, deposit_change);
+    return {reason, seconds, fastest, moving_fraction, motion.front, motion.deposit};
 }
 
 Sentence creeping_sentence(const RunEnd& end) {
-    return worded("run-out and area final, deposit creeps at {1} m/s", {numeral(number_text(end.fastest, 2))});
+    return worded("run-out and area final; {1} % still moves, at {2} m/s",
+                  {numeral(number_text(100 * end.moving_fraction, 2)), numeral(number_text(end.fastest, 2))});
 }
 
 std::string end_sentence(const RunEnd& end, const Words& words) {
@@ -276,7 +278,8 @@ std::optional<MainStatistics> read_main_statistics(const std::string& result_fol
         const SeriesEnds ends = read_series_ends(series);
         statistics.end = run_end(*reason, ends.simulated_seconds, ends.last_speed,
                                  value_in<double>(*summary, "/moving_fraction").value_or(0),
-                                 value_in<bool>(*summary, "/settling/front_is_final").value_or(false));
+                                 value_in<bool>(*summary, "/settling/front_is_final").value_or(false),
+                                 value_in<double>(*summary, "/settling/deposit_change").value_or(0));
         statistics.end->is_held = value_in<bool>(*summary, "/held_by_no_data").value_or(false);
     }
     return statistics;

@@ -58,9 +58,10 @@ std::string warning_line(const Warnings& warnings, const Words& words, std::size
 
 /// How a run ended. Maps, films, charts and the report say it in the same words.
 struct RunEnd {
-    std::string reason;  ///< English, as `describe` of a StopReason
-    double seconds = 0;  ///< simulated
-    double fastest = 0;  ///< greatest speed of the last step [m/s]
+    std::string reason;          ///< English, as `describe` of a StopReason
+    double seconds = 0;          ///< simulated
+    double fastest = 0;          ///< greatest speed of the last step [m/s]
+    double moving_fraction = 0;  ///< of the volume
     /// Whether the front still moved when the run was stopped: final depth and run-out are not those of the
     /// deposit.
     bool is_cut_short = false;
@@ -73,10 +74,11 @@ struct RunEnd {
 RunEnd run_end(const RunResult& result);
 /// The same from what summary.json says.
 /// @param moving_fraction fraction of the volume that still moved
-/// @param front_is_final as Settling::front_is_final; false: not known
-RunEnd run_end(const std::string& reason, double seconds, double fastest, double moving_fraction, bool front_is_final);
+/// @param front_is_final, deposit_change as in Settling; false, 0: not known
+RunEnd run_end(const std::string& reason, double seconds, double fastest, double moving_fraction, bool front_is_final,
+               double deposit_change);
 
-/// "Run-out and area have stopped changing; the deposit still creeps at up to 0.3 m/s."
+/// "Run-out and area final; 3 % still moves, at 0.3 m/s."
 Sentence creeping_sentence(const RunEnd& end);
 
 /// Returns "The run ended after 468 s: run-out, area and deposit have stopped changing; greatest speed then 1.2 m/s.",

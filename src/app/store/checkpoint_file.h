@@ -37,7 +37,7 @@ class ReservedSpace {
 
 /// Format of checkpoint files: increases with every change of the output of any serialise or of its use by a step. No
 /// other format is read: a run begun by an older frana would not end with the same bits.
-inline constexpr std::uint32_t k_checkpoint_format = 16;
+inline constexpr std::uint32_t k_checkpoint_format = 17;
 
 /// Description in a checkpoint of its run.
 struct CheckpointHead {
