@@ -9,6 +9,7 @@
 
 #include "core/lanes.h"
 #include "mpm/curvature.h"
+#include "mpm/ground_walls.h"
 #include "mpm/node_grid.h"
 #include "mpm/nodes_to_particles.h"
 #include "mpm/particle_update.h"
@@ -183,6 +184,16 @@ void fall(const NodeGrid& nodes, const JumpRules& rules, Jump& jump) {
             acceleration = state.acceleration(dt);
             next = state.after(dt, acceleration);
             to = place;
+        } else if (stop_jet_at_walls(nodes, start + next.up, place, to)) {  // and slides along that of the ground
+            const Point way{to.x - place.x, to.y - place.y};
+            const double slides = std::hypot(way.x, way.y), along = next.along - state.along;
+            origin = place;
+            direction = slides > 0 ? Point{way.x / slides, way.y / slides} : Point{};
+            state.along = 0;
+            state.speed.along *= along > 0 ? slides / along : 0;
+            acceleration = state.acceleration(dt);
+            next = state.after(dt, acceleration);
+            to = place_of(next);
         }
         double ahead = dt;
         double above = start + next.up - ground_at(nodes, to).value;

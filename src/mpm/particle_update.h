@@ -6,6 +6,7 @@
 
 #include "core/lanes.h"
 #include "mpm/curvature.h"
+#include "mpm/ground_walls.h"
 #include "mpm/node_grid.h"
 #include "mpm/shifting.h"
 #include "mpm/stable_step.h"
@@ -157,11 +158,13 @@ template <class Number>
 struct ParticleUpdate {
     double dt = 0;  ///< time of the positions' motion [s]
     double gravity = 0;
-    double split_depth = 0;  ///< depth below which a particle is not split [m]
-    bool wall = false;       ///< particles are kept inside; otherwise they may leave
-    Point origin;            ///< release centroid, for the front distance, local metres
-    double shift = 0;        ///< particle shifting: s of shifting.h, 0 in steps without it
-    double kept = 0;         ///< share of its own velocity that a particle keeps: NodeUpdate::kept
+    double split_depth = 0;     ///< depth below which a particle is not split [m]
+    bool wall = false;          ///< particles are kept inside; otherwise they may leave
+    Point origin;               ///< release centroid, for the front distance, local metres
+    double shift = 0;           ///< particle shifting: s of shifting.h, 0 in steps without it
+    double kept = 0;            ///< share of its own velocity that a particle keeps: NodeUpdate::kept
+    double critical = 0;        ///< sqrt(g): critical speed over the root of the depth [m^(1/2)/s]
+    bool ground_walls = false;  ///< walls of the ground are within reach of the tile
 };
 
 /// Results of a tile's particles in a step; combined tile by tile in their order.
@@ -403,6 +406,26 @@ struct ParticleSweep {
         return meets_solid;
     }
 
+    /// What walls of the ground leave of the motion, of the velocity and of its gradient. Where particles overlap, the
+    /// flow is as deep as the cells.
+    template <class Count>
+    [[gnu::always_inline]] void meet_ground_walls(std::size_t p, Count n, Number old_x, Number old_y, Number depth,
+                                                  Number cell_depth, Number &px, Number &py) {
+        for (std::size_t i = 0; i < n; ++i) {
+            const auto l = static_cast<int>(i);
+            const double own = L::at(depth, l), mean = L::at(cell_depth, l);
+            Point to{L::at(px, l), L::at(py, l)};
+            const Kept kept = keep_at_walls(nodes, own < mean ? own : mean, k.dt * k.critical,
+                                            {L::at(old_x, l), L::at(old_y, l)}, to);
+            L::set(px, l, to.x);
+            L::set(py, l, to.y);
+            for (double *const of_x : {u, c_xx, c_xy})
+                if (kept.x < 1) of_x[p + i] *= kept.x;
+            for (double *const of_y : {v, c_yx, c_yy})
+                if (kept.y < 1) of_y[p + i] *= kept.y;
+        }
+    }
+
     /// Particles p to p + n - 1.
     template <class Count>
     [[gnu::always_inline]] void operator()(std::size_t p, Count n, Number old_x, Number old_y,
@@ -435,6 +458,10 @@ struct ParticleSweep {
             new_area = new_area * shift.growth;
         }
         L::store(new_area, area + p, n);
+        if constexpr (Affine) {
+            if (k.ground_walls)
+                meet_ground_walls(p, n, old_x, old_y, depth, g.cell_depth / (grid.dx * grid.dx), px, py);
+        }
         const bool meets_solid = keep_off_walls(n, old_x, old_y, px, py);
         // Non-finite particles keep their position; the run stops after this step.
         const Number celerity = sqrt(k.gravity * depth), wave = speed + celerity;

@@ -7,19 +7,10 @@
 #include "core/quad.h"
 #include "models/finite_volume/cells.h"
 #include "mpm/curvature.h"
+#include "mpm/ground_walls.h"
 
 namespace frana::finite_volume {
 namespace {
-
-template <class Number>
-FRANA_INLINE Number limited(Number a, Number b) {
-    using std::abs;
-    using std::max;
-    using std::min;
-    // Monotonised central (van Leer 1977): 0 at an extremum.
-    const Number least = min(min(2 * abs(a), 2 * abs(b)), 0.5 * abs(a + b));
-    return select(a * b > 0, select(a > 0, least, -least), Number(0.0));
-}
 
 /// Differences of the surface towards the neighbours before and after a cell, and the bed's from one to the other; a
 /// dry bank above the surface mirrors it.
@@ -237,16 +228,13 @@ FRANA_INLINE void sides_of(const CellRow& a, const CellRow& b, const CellRow& c,
     put(0.5, after);
 }
 
-/// Ground between two cells whose rise beyond the slopes beside it is steeper than this is a wall (50 degrees): a bend
-/// of 45 degrees has half as much at each of its faces.
-constexpr double k_sharp = 1.2;
-
 /// The beds on which the flow of both sides meets at a face.
 struct FaceBeds {
     Quad below, above;  ///< [m]
     Quad step;          ///< from one to the other, each of its own cell [m]
     Quad leaps;         ///< 1 where the flow leaps from the higher to the lower, 0 elsewhere
     Quad lands;         ///< 1 where it keeps the energy of its fall, turned by the ground, 0 elsewhere
+    Quad meets;         ///< 1 where the flow on the lower side meets a wall, 0 elsewhere
 };
 
 /// Flow that goes down, or is fast enough to climb, has one bed at a face where the beds of both cells, each with its
@@ -265,8 +253,7 @@ FRANA_INLINE FaceBeds beds_of(const CellRow& a, const CellRow& b, const CellRow&
                from_above = min(high, max(low, bed_above)), middle = 0.5 * (from_below + from_above);
     const Quad from = select(rises, at(c.normal), at(b.normal)), up = select(rises, at(b.normal), -at(c.normal));
     const auto runs = (select(rises, -at(c.speed), at(b.speed)) > 0) & (from * from > v.gravity * upper);
-    const Quad step = from_above - from_below,
-               corner = dz - 0.5 * (limited<Quad>(zb - at(a.bed), dz) + limited<Quad>(dz, at(d.bed) - zc));
+    const Quad step = from_above - from_below, corner = corner_of<Quad>(zb - at(a.bed), dz, at(d.bed) - zc);
     // A wall, or the foot of a cliff: sharper than the flow is thick. It takes what is normal to it.
     const auto sharp = (abs(corner) > k_sharp * v.cell_size) & (abs(dz) > max(hb, hc));
     const auto able = (towards > 0) & (0.5 * up * up > v.gravity * abs(dz)) & L::none(sharp);
@@ -274,8 +261,20 @@ FRANA_INLINE FaceBeds beds_of(const CellRow& a, const CellRow& b, const CellRow&
     const auto passes = pours | climbs | mounts, free = passes & (runs | mounts) & (abs(dz) > max(hb, hc)),
                leaps = free & (corner * dz > 0.5 * dz * dz) & (step * dz > 0), lands = leaps & L::none(sharp),
                one_bed = (passes & (0 > step * dz)) | (free & L::none(leaps));
-    return {select(one_bed, middle, from_below), select(one_bed, middle, from_above), step, select(leaps, one, zero),
-            select(lands, one, zero)};
+    return {select(one_bed, middle, from_below),
+            select(one_bed, middle, from_above),
+            step,
+            select(leaps, one, zero),
+            select(lands, one, zero),
+            select(sharp & (towards > 0) & L::none(passes), one, zero)};
+}
+
+/// What a wall takes of the momentum towards it beyond the pressure of the depth, per time: all that arrives, as a
+/// plate takes that of a jet; at most all there is.
+/// @param speed, normal towards the wall
+FRANA_INLINE Quad taken_by_wall(const Quad& depth, const Quad& speed, const Quad& normal, const StepValues& v) {
+    const Quad zero(0.0);
+    return depth * max(zero, normal) * min(max(zero, speed), Quad(v.cell_size / v.dt));
 }
 
 /// Faces between the cells of b and c: HLL for mass and normal momentum (Harten, Lax and van Leer 1983), the tangential
@@ -344,9 +343,19 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
                       max(select(forth, at(c.drive), at(b.drive)), tiny);
     const Quad weight_below = max(at(b.weight), tiny), weight_above = max(at(c.weight), tiny),
                per_weight = level / (weight_below * weight_above);
-    put(0.5 * below.depth * below.depth - slow * push + per_weight * weight_above + select(forth, zero, gain),
+    Quad wall_below = zero, wall_above = zero;
+    const auto meets = beds.meets > 0.5;
+    if (L::any(meets)) {
+        wall_below =
+            select(meets & (dz > 0), taken_by_wall(below.depth, below.speed, below.normal, v) / weight_below, zero);
+        wall_above = select(meets & (zero > dz),
+                            taken_by_wall(above.depth, -above.speed, -above.normal, v) / weight_above, zero);
+    }
+    put(0.5 * below.depth * below.depth - slow * push + per_weight * weight_above + select(forth, zero, gain) +
+            wall_below,
         to.pressure_below);
-    put(0.5 * above.depth * above.depth - fast * push + per_weight * weight_below + select(forth, gain, zero),
+    put(0.5 * above.depth * above.depth - fast * push + per_weight * weight_below + select(forth, gain, zero) +
+            wall_above,
         to.pressure_above);
     put(bed_below - zb, to.step_below);
     put(bed_above - zc, to.step_above);

@@ -10,6 +10,7 @@
 #include "mpm/active_tiles.h"
 #include "mpm/bed_exchange.h"
 #include "mpm/flight.h"
+#include "mpm/ground_walls.h"
 #include "mpm/node_grid.h"
 #include "mpm/nodes_to_particles.h"
 #include "mpm/update_nodes.h"
@@ -51,6 +52,7 @@ struct State {
     std::vector<double> kept, lost;              ///< by each particle, within a step
     ZeroArray<double> pore_sums;   ///< padded; w V r of the particles, within a step; empty: no pore pressure
     ZeroArray<std::uint8_t> tail;  ///< padded; mark_tail, within a step
+    WalledTiles walled;            ///< those of the bed
     ZeroArray<Point> gathered;     ///< padded; velocity in map view before the update; empty: not stored
 };
 
@@ -58,7 +60,7 @@ template <class Archive>
 void serialise(Archive& archive, State& state) {
     [[maybe_unused]] auto& [particles, nodes, order, active, node_reports, particle_reports, time, velocity_lag, drift,
                             since_sort, speeds, diffusivity, volume_left, flights, bed_states, erodible_beds, exchanged,
-                            kept, lost, pore_sums, tail, gathered] = state;
+                            kept, lost, pore_sums, tail, walled, gathered] = state;
     archive(particles, nodes, order, active, node_reports, particle_reports, time, velocity_lag, drift, since_sort,
             speeds, diffusivity, volume_left, flights, bed_states, erodible_beds,
             exchanged);  // the rest is within a step

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The stages of a step that sweep over particles and nodes.
 #include <algorithm>
+#include <cmath>
 
 #include "models/voellmy_bingham/step_stages.h"
 #include "mpm/boundary.h"
@@ -55,6 +56,22 @@ void mix_with_bed(State& state, const PorePressure::State& bed, ThreadPool& pool
                       reports[t]);
     });
     for (const ExchangeReport& r : reports) state.exchanged.merge(r);
+}
+
+// Whether walls of the ground are within reach of the particles, for each tile that is moved.
+std::vector<std::uint8_t> near_walls(Step& now) {
+    State& state = now.state;
+    const TileGrid& grid = state.order.grid();
+    std::vector<std::uint8_t> near(state.active.moved().size());
+    if (!now.stages.follows_bed) return near;
+    if (state.nodes.bed_changes) state.walled.forget(state.order.node_tiles());
+    for (std::size_t i = 0; i < near.size(); ++i) {
+        const ParticleTile& tile = state.order.tiles()[state.active.moved()[i]];
+        for (std::int64_t b = tile.y0; b <= tile.y1; ++b)
+            for (std::int64_t a = tile.x0; a <= tile.x1; ++a)
+                if (state.walled.examine(b * grid.tiles_x() + a, grid, state.nodes)) near[i] = 1;
+    }
+    return near;
 }
 
 }  // namespace
@@ -206,13 +223,17 @@ void nodes_to_particles(Step& now) {
     ParticleUpdate update{now.drift, laws.gravity * laws.stress.wave_factor, laws.resample.minimum_depth, laws.wall,
                           laws.origin};
     update.kept = now.stages.kept;
+    update.critical = std::sqrt(laws.gravity);
     if (shifts_now(state, now.stages)) update.shift = k_shift;
     const auto& tiles = state.order.tiles();
     for (const ParticleTile& tile : tiles) state.particle_reports[static_cast<std::size_t>(tile.tile)].longest = 0;
+    const std::vector<std::uint8_t> walls = near_walls(now);
     now.pool.for_each(state.active.moved().size(), [&](std::size_t i) {
         const ParticleTile& tile = tiles[state.active.moved()[i]];
+        ParticleUpdate own = update;
+        own.ground_walls = walls[i] != 0;
         state.particle_reports[static_cast<std::size_t>(tile.tile)] =
-            now.stages.nodes_to_particles(tile, update, laws.stress, state.nodes, state.particles);
+            now.stages.nodes_to_particles(tile, own, laws.stress, state.nodes, state.particles);
     });
     for (const std::size_t i : state.active.moved()) {  // what is piled up spreads its areas without motion
         const std::int64_t tile = tiles[i].tile;

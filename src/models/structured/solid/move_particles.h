@@ -7,6 +7,7 @@
 #include "models/structured/solid/solid_report.h"
 #include "models/structured/solid/solid_work.h"
 #include "models/structured/solid/stress_nodes.h"
+#include "mpm/ground_walls.h"
 #include "mpm/node_grid.h"
 #include "particles/cell_order.h"
 #include "particles/particle_set.h"
@@ -18,6 +19,7 @@ struct Obstacles {
     const NodeGrid* nodes = nullptr;
     bool edges = false;
     bool gaps_are_walls = false;
+    double critical = 0;  ///< sqrt(g) [m^(1/2)/s]; of walls of the ground (mpm/ground_walls.h)
 
     [[nodiscard]] bool none() const noexcept { return !edges && !nodes->any_solid(); }
     [[nodiscard]] bool at(double x, double y) const noexcept {
@@ -79,6 +81,13 @@ inline SolidReport move_particles(ParticleRun run, double dt, double wave_cfl, c
                 v = 0;
             }
         }
+        Point to{x, y};
+        const double depth = particles[Field::volume][p] / particles[Field::area][p];
+        const Kept beside = keep_at_walls(*obstacles.nodes, depth, dt * obstacles.critical, {x0, y0}, to);
+        x = to.x;
+        y = to.y;
+        if (beside.x < 1) u = beside.x > 0 ? beside.x * u : 0;
+        if (beside.y < 1) v = beside.y > 0 ? beside.y * v : 0;
         // Non-finite particles keep their place for the report; the run ends after this step.
         const bool finite = std::isfinite(x + y + u * u + v * v);
         const double opening = w[SolidWork::opening][p], growth = dt * opening;

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <functional>
+
+#include "bench/set_up/setup.h"
+
+namespace frana::test {
+
+/// Ground with vertical walls and what flows there, with room in the hollow for all of it.
+struct Hollow {
+    GridSpec grid;
+    Raster bed;
+    std::function<bench::Seed(Point)> flow;
+    std::function<bool(Point)> inside;
+    double time;  ///< after which nothing more arrives [s]
+
+    [[nodiscard]] ParticleSet seeds(int per_side) const { return bench::fill_lattice(grid, per_side, 0, flow); }
+};
+
+/// A film of 30 m/s, 1 m deep and 140 m long, before a basin of 40 m x 10 m across a channel; beyond both the ground
+/// falls away for good.
+inline Hollow basin(double cell) {
+    const GridSpec grid = bench::plain_grid(std::llround(600 / cell), 4, cell);
+    return {grid,
+            bench::sample_raster(grid,
+                                 [](Point p) {
+                                     if (p.x > 300 && p.x < 340) return 60.0;
+                                     return 70 - 0.3 * std::max({0.0, p.x - 380, 120 - p.x});
+                                 }),
+            [](Point p) {
+                return bench::Seed{p.x > 140 && p.x < 280 ? 1.0 : 0.0, 30};
+            },
+            [](Point p) { return p.x > 300 && p.x < 340; }, 30};
+}
+
+/// 12 000 m3 above a pit of 30 m x 30 m x 40 m at the foot of a slope of 30 degrees.
+inline Hollow pit(double cell) {
+    const GridSpec grid = bench::plain_grid(std::llround(350 / cell), std::llround(120 / cell), cell);
+    const auto inside = [](Point p) { return p.x > 220 && p.x < 250 && p.y > 45 && p.y < 75; };
+    return {grid,
+            bench::sample_raster(
+                grid, [=](Point p) { return inside(p) ? 0 : 40 + std::tan(M_PI / 6) * std::max(0.0, 200 - p.x); }),
+            [](Point p) { return bench::Seed{p.x > 20 && p.x < 120 && p.y > 30 && p.y < 90 ? 2.0 : 0.0}; }, inside, 40};
+}
+
+/// Fraction of the volume of a set of particles that is in the hollow.
+inline double fraction_inside(const Hollow& hollow, const ParticleSet& particles) {
+    double trapped = 0, all = 0;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double volume = particles[Field::volume][p];
+        all += volume;
+        if (hollow.inside({particles[Field::x][p], particles[Field::y][p]})) trapped += volume;
+    }
+    return trapped / all;
+}
+
+}  // namespace frana::test
