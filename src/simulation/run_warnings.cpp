@@ -379,7 +379,7 @@ Warnings run_warnings(const RunResult& result, const Scene& scene) {
     }
     const Raster trace = trace_mask(result.raster(RasterName::max_depth), scene.time.trace_threshold);
     if (const auto path = ground_where(scene.terrain, trace, 0)) warnings += path_ground_warnings(*path);
-    if (result.jumps)
+    if (result.jumps && result.jumps->highest > scene.numerics.flight_clearance)
         warnings.push_back(worded(k_flights_warning, {numeral(grouped(result.jumps->volume)),
                                                       numeral(number_text(result.jumps->highest, 3))}));
     return warnings;
