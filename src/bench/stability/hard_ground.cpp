@@ -214,35 +214,11 @@ HardCase trap(HardCase one, const std::function<bool(Point)>& where) {
     return one;
 }
 
-}  // namespace
-
-std::vector<HardCase> hard_terrain_cases() {
+/// What flows into, stays in, or lies on rough ground.
+std::vector<HardCase> hollows_and_lakes() {
     const auto in_pit = [](Point p) { return std::abs(p.x - 105) < 15 && std::abs(p.y - 40) < 15; };
     const auto in_basin = [](Point p) { return std::abs(p.x - 100) < 20; };
     return {
-        on("step-down", "a step of 4 m down in the bed", 15, [](Point p) { return p.x < 60 ? 4 : 0; }),
-        on("step-up", "a step of 4 m up across the run-out", 15, [](Point p) { return p.x > 100 ? 4 : 0; }),
-        plane("slope-60", "a plane of 60 degrees", 60),
-        plane("slope-75", "a plane of 75 degrees", 75),
-        on("cliff-50", "a vertical cliff of 50 m", 15, [](Point p) { return p.x < 70 ? 50 : 0; }),
-        of(slide_on(
-               "lip", "water over a cliff of 50 m, cells of 5 m", 10, [](Point p) { return p.x < 60 ? 50.0 : 0.0; },
-               both(as_water, seeded([](Point p) { return Seed{p.x < 40 ? 5.0 : 0}; })), 5),
-           k_volumes | k_structured, k_energy | k_mirror, lip_speed),
-        of(on("canyon-walls", "a slot 6 m wide between walls of 30 m", 15,
-              [](Point p) { return p.x > 60 && std::abs(p.y - 40) > 3 ? 30 : 0; }),
-           k_all),
-        of(on("slot", "a gap 4 m wide in a wall of 20 m across the run-out", 15,
-              [](Point p) { return std::abs(p.x - 92) < 2 && std::abs(p.y - 40) > 2 ? 20 : 0; }),
-           k_all),
-        // Cells of 1 m: the flow is few metres wide.
-        slide_on(
-            "gully-45", "a V-shaped gully with sides of 45 degrees and bends", 15,
-            [](Point p) { return usual_slope(p) + std::abs(p.y - 40 - 8 * std::sin(0.1 * p.x)); }, {}, 1),
-        on("needle", "a needle of 30 m in the path, one cell wide", 15,
-           [](Point p) { return std::abs(p.x - 61) < 1 && std::abs(p.y - 41) < 1 ? 30 : 0; }),
-        on("pit", "a hole of 30 m in the path, one cell wide", 15,
-           [](Point p) { return std::abs(p.x - 61) < 1 && std::abs(p.y - 41) < 1 ? -30 : 0; }),
         trap(slide_on(
                  "wide-pit", "a pit of 30 m x 30 m, 40 m deep, below the slope", 15,
                  [=](Point p) { return usual_slope(p) - (in_pit(p) ? 40 : 0); }, {}, 5),
@@ -282,6 +258,36 @@ std::vector<HardCase> hard_terrain_cases() {
                    setup.material = dry_friction(6);
                }),
            k_one_phase, k_energy | k_mirror),  // steps of a metre are the steeper the smaller the cells
+    };
+}
+
+}  // namespace
+
+std::vector<HardCase> hard_terrain_cases() {
+    std::vector<HardCase> all{
+        on("step-down", "a step of 4 m down in the bed", 15, [](Point p) { return p.x < 60 ? 4 : 0; }),
+        on("step-up", "a step of 4 m up across the run-out", 15, [](Point p) { return p.x > 100 ? 4 : 0; }),
+        plane("slope-60", "a plane of 60 degrees", 60),
+        plane("slope-75", "a plane of 75 degrees", 75),
+        on("cliff-50", "a vertical cliff of 50 m", 15, [](Point p) { return p.x < 70 ? 50 : 0; }),
+        of(slide_on(
+               "lip", "water over a cliff of 50 m, cells of 5 m", 10, [](Point p) { return p.x < 60 ? 50.0 : 0.0; },
+               both(as_water, seeded([](Point p) { return Seed{p.x < 40 ? 5.0 : 0}; })), 5),
+           k_volumes | k_structured, k_energy | k_mirror, lip_speed),
+        of(on("canyon-walls", "a slot 6 m wide between walls of 30 m", 15,
+              [](Point p) { return p.x > 60 && std::abs(p.y - 40) > 3 ? 30 : 0; }),
+           k_all),
+        of(on("slot", "a gap 4 m wide in a wall of 20 m across the run-out", 15,
+              [](Point p) { return std::abs(p.x - 92) < 2 && std::abs(p.y - 40) > 2 ? 20 : 0; }),
+           k_all),
+        // Cells of 1 m: the flow is few metres wide.
+        slide_on(
+            "gully-45", "a V-shaped gully with sides of 45 degrees and bends", 15,
+            [](Point p) { return usual_slope(p) + std::abs(p.y - 40 - 8 * std::sin(0.1 * p.x)); }, {}, 1),
+        on("needle", "a needle of 30 m in the path, one cell wide", 15,
+           [](Point p) { return std::abs(p.x - 61) < 1 && std::abs(p.y - 41) < 1 ? 30 : 0; }),
+        on("pit", "a hole of 30 m in the path, one cell wide", 15,
+           [](Point p) { return std::abs(p.x - 61) < 1 && std::abs(p.y - 41) < 1 ? -30 : 0; }),
         with_gaps(
             "no-data-islands", "three gaps without ground in the path, taken as walls",
             [](Point p) {
@@ -302,6 +308,8 @@ std::vector<HardCase> hard_terrain_cases() {
                both(as_water, seeded([](Point p) { return Seed{4 - 0.4 * std::hypot(p.x - 80, p.y - 40)}; }))),
            k_one_phase, k_energy | k_mirror, remaining_volume),
     };
+    for (HardCase& one : hollows_and_lakes()) all.push_back(std::move(one));
+    return all;
 }
 
 }  // namespace frana::bench
