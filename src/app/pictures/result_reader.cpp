@@ -179,7 +179,7 @@ void include(Raster& extent, const Raster& more) {
 void add_files_of(const ResultRaster& row, const std::string& folder, std::vector<std::string>& names) {
     for (const fs::directory_entry& entry : folder_entries(fs::path(folder))) {
         const std::string name = entry.path().stem().string();
-        if (entry.path().extension() == ".tif" && name.starts_with(row.name + "_")) names.push_back(name);
+        if (entry.path().extension() == ".tif" && find_result_raster(name) == &row) names.push_back(name);
     }
 }
 

@@ -71,10 +71,10 @@ class Table {
     Table& add_rasters() {
         for (const ResultRaster& row : result_rasters()) {
             if (row.command != command_) continue;
-            if (row.in_result()) add(FileKind::raster, {row.stem_pattern() + ".tif"});
+            if (row.in_result()) add(FileKind::raster, {raster_pattern(row)});
             // Elevations are not drawn as a map, but have the style of relief.
             if (row.in_result() && (row.is_drawn() || row.kind == ResultRaster::Kind::given))
-                add_styles(row.stem_pattern() + ".tif");
+                add_styles(raster_pattern(row));
             if (row.in_frames || row.kind == ResultRaster::Kind::frame)
                 add(FileKind::raster, {std::string(k_frame_folder) + "/" + row.name + "_*.tif"})
                     .add_styles(frame_style(row.name) + ".tif");
@@ -127,7 +127,7 @@ std::vector<ResultFile> make_table() {
     table.add(FileKind::working, {k_record_identity});
     for (const std::string& place : {records, of_events})
         table.add(FileKind::working, {place + "s_*.frana", place + "_*.frana"});
-    table.add(FileKind::table, {k_member_table, k_sensitivity_table, k_joined_records});
+    table.add(FileKind::table, {k_member_table, k_sensitivity_table, k_hazard_curves, k_joined_records});
     table.add(FileKind::vector, {k_member_outlines});
     table.add_rasters().add(FileKind::raster, {std::string(k_member_folder) + "/member_*/*.tif"});
     table.by("batch");

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/json.h"
+#include "params/keys/result_rasters.h"
 
 namespace frana::app {
 
@@ -99,11 +100,16 @@ inline std::string frame_style(const std::string& quantity) {
 inline std::string raster_file(const std::string& name) {
     return name + ".tif";
 }
+/// Pattern of the files of a row: "probability_depth_*.tif"; "max_depth_T*.tif", as a return period follows at once.
+inline std::string raster_pattern(const ResultRaster& row) {
+    return raster_file(row.name.ends_with("_T") ? row.name + "*" : row.stem_pattern());
+}
 inline constexpr const char* k_study_file = "study.ini";
 inline constexpr const char* k_region_file = "region.ini";
 inline constexpr const char* k_member_table = "members.csv";
 inline constexpr const char* k_member_outlines = "members.gpkg";
 inline constexpr const char* k_sensitivity_table = "sensitivity.csv";
+inline constexpr const char* k_hazard_curves = "hazard_curves.csv";
 /// Layer of k_outlines_file: the cells that a study reaches with at least the probability of a quantile of
 /// params/keys/result_rasters.h.
 inline std::string probability_layer(const std::string& quantile) {

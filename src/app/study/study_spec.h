@@ -22,17 +22,31 @@ inline std::vector<double> column_of(const std::vector<std::vector<double>>& row
     return column;
 }
 
-enum class Law { uniform, log_uniform, normal, log_normal, triangular, choice, gaussian_field };
+enum class Law {
+    uniform,
+    log_uniform,
+    normal,
+    log_normal,
+    triangular,
+    pert,
+    pareto,
+    table,
+    choice,
+    gaussian_field,
+    gamma,          ///< of rates; no key has it
+    return_periods  ///< of release.volume, by [frequency]
+};
 
 /// The distribution of one key.
 struct Distribution {
     Law law = Law::uniform;
     /// In the key's unit: limits (uniform, log-uniform), mean and standard deviation (normal, log-normal, of the value
-    /// itself) with two limits where it is cut off, least, likeliest and greatest value (triangular), standard
-    /// deviation and range [m] (gaussian-field).
+    /// itself; gamma) with two limits where it is cut off, least, likeliest and greatest value (triangular, pert),
+    /// least value, exponent and greatest value (pareto), values that rise (table), standard deviation and range [m]
+    /// (gaussian-field); a volume and its return period over the first one, of each point (return-periods).
     std::vector<double> numbers;
-    std::vector<std::string> values;  ///< choice
-    std::vector<double> weights;      ///< choice: as many, their sum is 1
+    std::vector<std::string> values;  ///< choice; table: the numbers
+    std::vector<double> weights;      ///< choice, table: as many, their sum is 1
     std::string text;                 ///< as written
 
     /// Whether its values have no order.
@@ -43,6 +57,30 @@ struct Variation {
     std::string key;  ///< of the scene: "material.turbulence"
     Distribution distribution;
 };
+
+/// How often the slope fails: what makes rates of probabilities.
+struct FrequencySpec {
+    /// Events a year at or above the least volume: gamma distributed, as nobody knows it exactly.
+    struct Rate {
+        double value = 0, deviation = 0;
+    };
+    /// A volume [m3] that is exceeded once in so many years.
+    struct Volume {
+        double volume = 0, years = 0;
+    };
+    std::optional<Rate> rate;  ///< none: no frequency is given
+    /// Both rise. The exceedance is a straight line in logarithms between them; all events above the last have its
+    /// volume.
+    std::optional<std::vector<Volume>> volumes;
+    std::optional<std::vector<double>> return_periods;  ///< that maps have [years]; none: 30, 100, 300
+
+    [[nodiscard]] std::vector<double> mapped_periods() const {
+        return !rate ? std::vector<double>{} : return_periods.value_or(std::vector<double>{30, 100, 300});
+    }
+    /// Fraction of the events with no more than what is exceeded once in so many years; less than 0: events are rarer.
+    [[nodiscard]] double fraction_below(double years) const { return 1 - 1 / (years * rate->value); }
+};
+inline constexpr const char* k_volume_key = "release.volume";
 
 /// Rank correlation (Spearman's rho) of two varied keys, by a normal copula.
 struct Correlation {
@@ -205,6 +243,7 @@ struct StudySpec {
     std::vector<std::string> set;  ///< "key=value" for all members, as after `--set`; paths absolute
     std::vector<Variation> vary;   ///< in the order of the file
     std::vector<Correlation> correlate;
+    FrequencySpec frequency;           ///< with volumes that is the first of `vary`
     std::optional<RegionSpec> region;  ///< a polygon for each member
     double exponent = 5;            ///< calibration: N of the likelihood of an event whose survey has no stated error
     std::vector<Weight> objective;  ///< calibration

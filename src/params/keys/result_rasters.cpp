@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "params/grammar/value_text.h"
 #include "params/keys/scene_spec.h"
 
 namespace frana {
@@ -37,6 +38,7 @@ namespace {
 using RasterKind = ResultRaster::Kind;
 
 constexpr bool k_progressive = true, k_even = false;
+constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
 class Table {
   public:
@@ -65,6 +67,33 @@ class Table {
     std::string command_ = "run", when_;
     bool (*is_produced_by_)(const SceneSpec&) = nullptr;
 };
+
+/// What a study with [frequency] writes.
+void add_frequency(Table& table) {
+    table.by("ensemble", "by `frana ensemble` with `[frequency]`");
+    const auto by_value = [&](const char* name, const char* title, const char* description, const char* unit,
+                              const char* palette, bool progressive) -> ResultRaster& {
+        ResultRaster& row = table.flow(name, title, description, unit, palette, progressive);
+        row.by_value = row.zero_is_blank = row.with_study = true;
+        return row;
+    };
+    const auto rate = [&](const char* name, const char* title, const char* description) {
+        by_value(name, title, description, "1/a", "depth", k_even).bounds = {0,    0.001, 0.003, 0.01,
+                                                                             0.03, 0.1,   0.3,   k_infinity};
+    };
+    rate("annual_rate_depth", "Annual rate, depth > {} m",
+         "Events a year in which the maximum depth, vertical, exceeds {} m");
+    rate("annual_rate_velocity", "Annual rate, speed > {} m/s",
+         "Events a year in which the maximum speed exceeds {} m/s");
+    rate("annual_rate_pressure", "Annual rate, pressure > {} kPa",
+         "Events a year in which the maximum dynamic pressure exceeds {} kPa");
+    rate("annual_rate_intensity", "Annual rate, intensity class ≥ {}",
+         "Events a year in which the class of `hazard.scheme` is {} or higher");
+    by_value("max_depth_T", "Maximum depth, once in {} years",
+             "Maximum depth, vertical, that is exceeded once in {} years", "m", "depth", k_progressive);
+    by_value("max_velocity_T", "Maximum velocity, once in {} years", "Maximum speed that is exceeded once in {} years",
+             "m/s", "velocity", k_even);
+}
 
 /// What studies of many runs write.
 void add_study(Table& table) {
@@ -174,8 +203,6 @@ void set_flow_depths(std::vector<ResultRaster>& rows) {
                             !row.name.starts_with("eroded") && !row.name.starts_with("deposited") &&
                             row.name != RasterName::elevation_change;
 }
-
-constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
 void add_run(Table& table) {
     ResultRaster& depth = table.flow(RasterName::max_depth, "Maximum depth", "Maximum flow depth over time, vertical",
@@ -293,6 +320,7 @@ std::vector<ResultRaster> make_table() {
     table.add("velocity", RasterKind::frame, "Flow velocity", "Flow speed at one instant, along the bed", "m/s",
               "velocity", k_even);
     add_study(table);
+    add_frequency(table);
     add_region(table);
     table.by("converge", "after `frana converge`");
     table.add(RasterName::uncertainty, RasterKind::flow, "Estimated error of the maximum depth",
@@ -310,10 +338,21 @@ const std::vector<ResultRaster>& result_rasters() {
     return k_table;
 }
 
+namespace {
+
+/// "probability_depth_0.5"; a return period follows its row's name at once: "max_depth_T100".
+bool has_value_of(const ResultRaster& row, const std::string& name) {
+    if (!name.starts_with(row.name)) return false;
+    const std::string value = name.substr(row.name.size());
+    return row.name.ends_with("_T") ? number_from_text(value).has_value() : value.starts_with("_");
+}
+
+}  // namespace
+
 const ResultRaster* find_result_raster(const std::string& name) {
     const std::vector<ResultRaster>& all = result_rasters();
     const auto found = std::find_if(all.begin(), all.end(), [&](const ResultRaster& one) {
-        return one.by_value ? name.starts_with(one.name + "_") : one.name == name;
+        return one.by_value ? has_value_of(one, name) : one.name == name;
     });
     return found == all.end() ? nullptr : &*found;
 }
@@ -321,7 +360,8 @@ const ResultRaster* find_result_raster(const std::string& name) {
 std::string text_for(const ResultRaster& row, const std::string& text, const std::string& name) {
     const auto place = text.find("{}");
     if (!row.by_value || place == std::string::npos) return text;
-    std::string value = name.substr(row.name.size() + 1);
+    std::string value = name.substr(row.name.size());
+    if (value.starts_with("_")) value.erase(0, 1);
     if (value.size() == 2 && value.front() == '0') value.erase(0, 1);
     return std::string(text).replace(place, 2, value);
 }

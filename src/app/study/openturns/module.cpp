@@ -7,10 +7,12 @@
 #include <list>
 #include <map>
 #include <numeric>
+#include <openturns/Beta.hxx>
 #include <openturns/ComposedDistribution.hxx>
 #include <openturns/ConstantBasisFactory.hxx>
 #include <openturns/CovarianceMatrix.hxx>
 #include <openturns/Exception.hxx>
+#include <openturns/Gamma.hxx>
 #include <openturns/IdentityMatrix.hxx>
 #include <openturns/KrigingAlgorithm.hxx>
 #include <openturns/LegendreFactory.hxx>
@@ -32,6 +34,7 @@
 #include <openturns/TruncatedDistribution.hxx>
 #include <openturns/TruncatedNormal.hxx>
 #include <openturns/Uniform.hxx>
+#include <openturns/UserDefined.hxx>
 #include <set>
 #include <utility>
 #include <vector>
@@ -160,18 +163,49 @@ OT::Distribution law_of(const Distribution& distribution) {
             return cut(OT::ParametrizedDistribution(OT::LogNormalMuSigma(n[0], n[1], 0)));
         case Law::triangular:
             return OT::Triangular(n[0], n[1], n[2]);
+        case Law::pert:  // Clark 1962: a beta distribution with the mean (a + 4 c + b) / 6
+            return OT::Beta(1 + 4 * (n[1] - n[0]) / (n[2] - n[0]), 1 + 4 * (n[2] - n[1]) / (n[2] - n[0]), n[0], n[2]);
+        case Law::table: {
+            OT::Sample values(n.size(), 1);
+            for (std::size_t i = 0; i < n.size(); ++i) values(i, 0) = n[i];
+            return OT::UserDefined(values, OT::Point(distribution.weights.begin(), distribution.weights.end()));
+        }
+        case Law::gamma:
+            return OT::Gamma(n[0] * n[0] / (n[1] * n[1]), n[0] / (n[1] * n[1]));
         case Law::uniform:
         case Law::choice:
         case Law::gaussian_field:
+        case Law::pareto:
+        case Law::return_periods:
             break;
     }
     return OT::Uniform(n[0], n[1]);
 }
 
+/// Of a power law that is cut off, Law::pareto.
+double power_law_at(const std::vector<double>& n, double place) {
+    return n[0] * std::pow(1 - place * (1 - std::pow(n[0] / n[2], n[1])), -1 / n[1]);
+}
+
+/// Of Law::return_periods.
+double volume_at(const std::vector<double>& n, double place) {
+    const double period = 1 / (1 - place);
+    for (std::size_t i = 2; i < n.size(); i += 2)
+        if (period < n[i + 1])
+            return n[i - 2] * std::pow(n[i] / n[i - 2], std::log(period / n[i - 1]) / std::log(n[i + 1] / n[i - 1]));
+    return n[n.size() - 2];
+}
+
 /// OpenturnsFunctions::quantiles.
 std::vector<double> quantiles(const Distribution& distribution, const std::vector<double>& places) {
-    const OT::Distribution law = law_of(distribution);
     std::vector<double> values;
+    double (*closed)(const std::vector<double>& numbers, double place) = nullptr;
+    if (distribution.law == Law::return_periods) closed = volume_at;
+    if (distribution.law == Law::pareto) closed = power_law_at;
+    for (const double place : places)
+        if (closed != nullptr) values.push_back(closed(distribution.numbers, place));
+    if (closed != nullptr) return values;
+    const OT::Distribution law = law_of(distribution);
     for (const double place : places) values.push_back(law.computeQuantile(place)[0]);
     return values;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <optional>
 
@@ -19,13 +20,12 @@ struct Form {
 };
 
 const std::vector<Form>& forms() {
-    static const std::vector<Form> k_forms{{"uniform", Law::uniform, {2}},
-                                           {"log-uniform", Law::log_uniform, {2}},
-                                           {"normal", Law::normal, {2, 4}},
-                                           {"log-normal", Law::log_normal, {2, 4}},
-                                           {"triangular", Law::triangular, {3}},
-                                           {"choice", Law::choice, {}},
-                                           {"gaussian-field", Law::gaussian_field, {2}}};
+    static const std::vector<Form> k_forms{
+        {"uniform", Law::uniform, {2}},       {"log-uniform", Law::log_uniform, {2}},
+        {"normal", Law::normal, {2, 4}},      {"log-normal", Law::log_normal, {2, 4}},
+        {"triangular", Law::triangular, {3}}, {"pert", Law::pert, {3}},
+        {"pareto", Law::pareto, {3}},         {"table", Law::table, {}},
+        {"choice", Law::choice, {}},          {"gaussian-field", Law::gaussian_field, {2}}};
     return k_forms;
 }
 
@@ -79,9 +79,27 @@ std::variant<Distribution, ValueProblem> choice_of(const std::vector<std::string
     return choice;
 }
 
+/// A choice of numbers, in their order.
+std::variant<Distribution, ValueProblem> in_order(const Distribution& choice) {
+    Distribution table{Law::table, {}, {}, {}, choice.text};
+    std::map<double, std::size_t> places;
+    for (std::size_t i = 0; i < choice.values.size(); ++i) {
+        const auto number = number_from_text(choice.values[i]);
+        if (!number)
+            return ValueProblem{"'" + choice.values[i] + "' is not a number", "Write choice(value: weight, ...)"};
+        if (!places.emplace(*number, i).second) return ValueProblem{"has the value " + choice.values[i] + " twice", ""};
+    }
+    for (const auto& [number, place] : places) {
+        table.numbers.push_back(number);
+        table.values.push_back(choice.values[place]);
+        table.weights.push_back(choice.weights[place]);
+    }
+    return table;
+}
+
 /// What is wrong with the numbers; none: nothing.
 std::optional<ValueProblem> contradiction(Law law, const std::vector<double>& n) {
-    const bool positive = law == Law::log_uniform || law == Law::log_normal;
+    const bool positive = law == Law::log_uniform || law == Law::log_normal || law == Law::pareto;
     if (positive && !(n[0] > 0)) return ValueProblem{"needs a first number greater than 0", ""};
     switch (law) {
         case Law::uniform:
@@ -95,7 +113,12 @@ std::optional<ValueProblem> contradiction(Law law, const std::vector<double>& n)
             if (n.size() == 4 && !(n[2] < n[0] && n[0] < n[3]))
                 return ValueProblem{"needs limits on both sides of the mean", ""};
             break;
+        case Law::pareto:
+            if (!(n[1] > 0 && n[0] < n[2]))
+                return ValueProblem{"needs a least value, an exponent and a greatest value", ""};
+            break;
         case Law::triangular:
+        case Law::pert:
             if (!(n[0] <= n[1] && n[1] <= n[2] && n[0] < n[2]))
                 return ValueProblem{"needs a least, a likeliest and a greatest value in this order", ""};
             break;
@@ -103,7 +126,10 @@ std::optional<ValueProblem> contradiction(Law law, const std::vector<double>& n)
             if (!(n[0] > 0 && n[1] > 0))
                 return ValueProblem{"needs a standard deviation and a range greater than 0", ""};
             break;
+        case Law::table:
         case Law::choice:
+        case Law::gamma:
+        case Law::return_periods:
             break;
     }
     return std::nullopt;
@@ -128,6 +154,10 @@ std::variant<Distribution, ValueProblem> distribution_from_text(const std::strin
     if (!parts) return ValueProblem{"has a quote that is not closed", ""};
     Distribution distribution{form->law, {}, {}, {}, text};
     if (form->law == Law::choice) return choice_of(*parts, distribution);
+    if (form->law == Law::table) {
+        auto choice = choice_of(*parts, distribution);
+        return std::holds_alternative<ValueProblem>(choice) ? choice : in_order(std::get<Distribution>(choice));
+    }
     for (const std::string& part : *parts) {
         const auto number = number_from_text(part);
         if (!number) return ValueProblem{"'" + part + "' is not a number", ""};
@@ -149,11 +179,18 @@ Support support_of(const Distribution& distribution) {
         case Law::log_normal:
             return n.size() == 4 ? Support{std::max(0.0, n[2]), n[3]} : Support{0, k_infinite};
         case Law::triangular:
+        case Law::pert:
+        case Law::pareto:
             return {n[0], n[2]};
+        case Law::table:
+            return {n.front(), n.back()};
+        case Law::return_periods:
+            return {n.front(), n[n.size() - 2]};
         case Law::uniform:
         case Law::log_uniform:
         case Law::gaussian_field:
         case Law::choice:
+        case Law::gamma:
             break;
     }
     return n.size() >= 2 ? Support{n[0], n[1]} : Support{};

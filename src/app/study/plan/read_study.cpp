@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <set>
 
 #include "app/study/plan/sampling.h"
@@ -65,7 +66,8 @@ constexpr std::pair<const char*, const char*> k_gone_keys[] = {
 
 /// Sections of each kind of study, for messages.
 constexpr const char* k_sections[] = {
-    "An ensemble has the sections [study], [set], [vary] and [correlate]; a calibration, for `frana calibrate`, also "
+    "An ensemble has the sections [study], [set], [vary], [correlate] and [frequency]; a calibration, for `frana "
+    "calibrate`, also "
     "[objective] and [event NAME]",
     "A region has the sections [region], [set] and [columns]",
     "A calibration has the sections [study], [objective], [set], [vary], [correlate], and for single events [event "
@@ -129,6 +131,7 @@ class StudyReader {
     void check_keys(const StudySpec& study, const std::string& event);
     void check_correlations(const StudySpec& study, const std::string& event);
     void check_events();
+    void check_frequency();
     void check_sampling();
     void check_option(const Variation& vary, std::size_t option, double first_round);
 
@@ -196,6 +199,7 @@ void StudyReader::read(std::vector<IniEntry> entries) {
         add_problem({"is missing", where(study_.region ? "region.scene" : "study.scene"), "", "a scene file",
                      "Name the scene whose keys vary"});
     if (study_.region) return check_columns();
+    check_frequency();
     check_keys(study_, "");
     check_sampling();
 }
@@ -334,11 +338,7 @@ void StudyReader::add_scenes(const IniEntry& entry) {
 }
 
 void StudyReader::add_observation(EventSpec& event, const std::string& key, const IniEntry& entry) {
-    // As many bytes in ASCII as in UTF-8.
-    const std::size_t sign = std::min(entry.value.find("+-"), entry.value.find("\u00b1"));
-    const auto value = number_from_text(trimmed(entry.value.substr(0, sign))),
-               error = sign == std::string::npos ? std::optional(0.0)
-                                                 : number_from_text(trimmed(entry.value.substr(sign + 2)));
+    const auto [value, error] = number_and_deviation(entry.value);
     const std::size_t space = key.find(' ');
     const std::string word = key.substr(0, space), gauge = space == std::string::npos ? "" : trimmed(key.substr(space));
     const auto kind = std::find_if(std::begin(k_gauge_kinds), std::end(k_gauge_kinds),
@@ -347,15 +347,15 @@ void StudyReader::add_observation(EventSpec& event, const std::string& key, cons
     if (key != "runout" && !at_gauge)
         refuse("unknown key", entry, "",
                "An event has scene, runout, and at gauges of its scene arrival GAUGE, speed GAUGE, depth GAUGE");
-    else if (!value || !(*value > 0 && *value < 1e9))
+    else if (!(value > 0 && value < 1e9))
         refuse("is not a number greater than 0", entry, at_gauge ? std::string("in ") + kind->unit : "in m",
                "Write for example 35, or 35 +- 5 with its standard deviation");
-    else if (!error || !(*error < 1e9) || (sign != std::string::npos && !(*error > 0)))
+    else if (!(error < 1e9))
         refuse("has an error that is not a number greater than 0", entry, "", "Write for example 35 +- 5");
     else if (at_gauge)
-        (event.*(kind->values)).push_back({gauge, *value, *error});
+        (event.*(kind->values)).push_back({gauge, value, error});
     else
-        event.runout = GaugeValue{"", *value, *error};
+        event.runout = GaugeValue{"", value, error};
 }
 
 void StudyReader::check_scheme(const std::string& event) {
@@ -377,18 +377,21 @@ void StudyReader::check_columns() {
 void StudyReader::check_keys(const StudySpec& study, const std::string& event) {
     check_scheme(event);
     for (const Variation& one : study.vary) {
-        const std::string name = name_in("vary", one.key, event);
+        const bool by_period = one.distribution.law == Law::return_periods;
+        const std::string name = by_period ? "frequency.volumes" : name_in("vary", one.key, event);
         if (has_seen(name_in("set", one.key, event)))
-            add_problem({"is also set for all members", where(name), "", "", "Keep it in one of [set] and [vary]"});
+            add_problem({by_period ? "decides release.volume, which [set] has too" : "is also set for all members",
+                         where(name), "", "", "Keep it in one of the two sections"});
         if (name != "vary." + one.key && has_seen("vary." + one.key))
-            add_problem({"is given more than once", where(name), one.distribution.text, "", "Keep one of the lines"});
+            add_problem({by_period ? "decides release.volume, which [vary] has too" : "is given more than once",
+                         where(name), one.distribution.text, "", "Keep one of the lines"});
     }
     const bool by_table = study.sampling == Sampling::table,
                has_vary = has_seen_any("vary.") || (!event.empty() && has_seen_any("vary " + event + "."));
     if (by_table && (has_vary || !study.correlate.empty()))
         add_problem({"gives all values: [vary] and [correlate] have no effect", where("study.sampling"), "", "",
                      "Remove the sections, or choose another sampling"});
-    if (!by_table && !has_vary)
+    if (!by_table && !has_vary && !has_seen("frequency.volumes"))
         add_problem({"has no key", where("vary"), "", "", "Give at least one key a distribution"});
     const auto varies = [&](const char* key) {
         return std::any_of(study.vary.begin(), study.vary.end(), [&](const Variation& one) { return one.key == key; });
@@ -423,6 +426,36 @@ void StudyReader::check_events() {
     if (study_.objective.empty())
         add_problem({"has no measure with a weight greater than 0", where("objective"), "", "",
                      "Say what is compared with the surveys: [objective] jaccard = 1"});
+}
+
+/// Completes the frequency: volumes give the rate, and release.volume its distribution.
+void StudyReader::check_frequency() {
+    auto& [rate, volumes, periods] = study_.frequency;
+    if (!rate && !volumes) {
+        if (periods && !has_seen("frequency.rate") && !has_seen("frequency.volumes"))
+            add_problem({"has no effect without a frequency", where("frequency.return-periods"), "", "",
+                         "Give frequency.rate or frequency.volumes, or remove it"});
+        return;
+    }
+    if (!volumes) return;
+    constexpr double k_rounding = 0.02;  // of a rate with two digits
+    const double first = 1 / volumes->front().years;
+    const std::string text = *find_parameter(study_keys(study_.kind), "frequency.volumes")->write(study_);
+    if (rate && std::abs(rate->value / first - 1) > k_rounding)
+        add_problem({"contradicts frequency.volumes, whose first return period is " +
+                         shortest_text(volumes->front().years) + " years",
+                     where("frequency.rate"), shortest_text(rate->value), number_text(first, 3),
+                     "Remove frequency.rate, or correct one of the two"});
+    rate = FrequencySpec::Rate{first, rate ? rate->deviation : 0};
+    if (const SamplingMethod& method = method_of(study_.sampling); method.kind != SamplingMethod::Kind::sample)
+        add_problem({"decides how members are drawn, which sampling = " + std::string(method.name) + " does too",
+                     where("frequency.volumes"), text, "", "Write sampling = sobol, or keep frequency.rate alone"});
+    Distribution law{Law::return_periods, {}, {}, {}, text};
+    for (const FrequencySpec::Volume& one : *volumes) {
+        law.numbers.push_back(one.volume);
+        law.numbers.push_back(one.years / volumes->front().years);
+    }
+    study_.vary.insert(study_.vary.begin(), Variation{k_volume_key, std::move(law)});
 }
 
 void StudyReader::check_option(const Variation& vary, std::size_t option, double first_round) {
@@ -476,6 +509,16 @@ void StudyReader::check_sampling() {
 }
 
 }  // namespace
+
+std::pair<double, double> number_and_deviation(const std::string& text) {
+    constexpr double k_none = std::numeric_limits<double>::quiet_NaN();
+    // As many bytes in ASCII as in UTF-8.
+    const std::size_t sign = std::min(text.find("+-"), text.find("\u00b1"));
+    const double value = number_from_text(trimmed(text.substr(0, sign))).value_or(k_none);
+    if (sign == std::string::npos) return {value, 0};
+    const double deviation = number_from_text(trimmed(text.substr(sign + 2))).value_or(k_none);
+    return {value, deviation > 0 ? deviation : k_none};
+}
 
 std::optional<StudyKind> study_kind(const std::string& path) {
     std::optional<StudyKind> kind;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/study/study_spec.h"
@@ -24,6 +25,10 @@ StudyReading read_study(const std::string& path, StudyKind kind = StudyKind::ens
 
 /// Returns the file with every key, its meaning and the distributions as used; reading it back gives the same.
 std::string study_text(const StudySpec& study);
+
+/// Reads "35 +- 5": a number and its standard deviation, 0 if none is stated; NaN for what is no number, and for a
+/// deviation that is not greater than 0.
+std::pair<double, double> number_and_deviation(const std::string& text);
 
 /// The keys of a kind of study, each in a section of its own; parser, messages and echo follow from them.
 const std::vector<ParameterOf<StudySpec>>& study_keys(StudyKind kind);

@@ -159,6 +159,23 @@ void check_values(const StudySpec& study, const SampleTable& table, const std::s
     }
 }
 
+/// Moves the places of the volume, the first key, so that members are even in the logarithm of its exceedance G: from 1
+/// to that of the greatest volume, and over one more unit, where all have that. Of L + 1 units, L = -log of the least
+/// G, a member then weighs (L + 1) G: the true density over that of the members. Being first, the volume stays what it
+/// is when keys are correlated, and they follow it. Returns the weights.
+std::vector<double> spread_volumes(const StudySpec& study, Places& places) {
+    std::vector<double> weights(places.size(), 1);
+    if (!study.frequency.volumes) return weights;
+    const double units = std::log(study.frequency.volumes->back().years / study.frequency.volumes->front().years);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        double& place = places[i].front();
+        const double all = (units + 1) * place, within = std::min(all, units), exceedance = std::exp(-within);
+        place = std::clamp(1 - exceedance * (1 - (all - within)), 0x1p-53, 1 - 0x1p-53);
+        weights[i] = (units + 1) * exceedance;
+    }
+    return weights;
+}
+
 }  // namespace
 
 std::string values_text(const SampleTable& table) {
@@ -214,6 +231,7 @@ SampleTable samples_at(const StudySpec& study, const Places& independent, const 
                        Problems& problems) {
     SampleTable table = empty_table(study);
     table.places = independent;
+    const std::vector<double> weights = spread_volumes(study, table.places);
     if (!study.correlate.empty() && !openturns().correlate(study, table.places)) {
         problems.add({"no distribution has all these correlations at once", Place(label, "correlate"), "", "",
                       "Bring them nearer to 0"});
@@ -225,7 +243,7 @@ SampleTable samples_at(const StudySpec& study, const Places& independent, const 
     for (std::size_t i = 0; i < table.places.size(); ++i) {
         std::vector<Value> values;
         for (const std::vector<Value>& of_key : of_keys) values.push_back(of_key[i]);
-        add_member(values, 1, table);
+        add_member(values, weights[i], table);
     }
     check_values(study, table, label, problems);
     return table;

@@ -90,8 +90,8 @@ std::vector<std::string> central_values(const StudySpec& study);
 /// The forms that a distribution may have, for messages.
 inline constexpr const char* k_distributions =
     "uniform(a, b), log-uniform(a, b), normal(mean, sd), normal(mean, sd, low, high), log-normal(mean, sd), "
-    "log-normal(mean, sd, low, high), triangular(a, likeliest, b), choice(value: weight, ...), gaussian-field(sd, "
-    "range)";
+    "log-normal(mean, sd, low, high), triangular(a, likeliest, b), pert(a, likeliest, b), pareto(least, exponent, "
+    "greatest), table(number: weight, ...), choice(value: weight, ...), gaussian-field(sd, range)";
 
 /// Reads "uniform(0.1, 0.3)", "choice(a.shp: 0.7, \"b, c.shp\": 0.3)": a value with a comma is in quotes; without
 /// weights all values are alike.

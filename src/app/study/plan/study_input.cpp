@@ -267,6 +267,28 @@ std::string rounds_text(const StudyInput& input) {
            "\nseed = " + std::to_string(study.seed) + "\n";
 }
 
+/// What decides the maps of rates besides the members.
+std::string frequency_text(const StudySpec& study) {
+    std::string text;
+    for (const auto& key : study_keys(study.kind))
+        if (const auto value = key.section == "frequency" ? key.write(study) : std::nullopt)
+            text += key.name() + " = " + *value + "\n";
+    return text;
+}
+
+/// Refuses volumes that hardly cover the release: they are in thousands of m3.
+void check_volumes(const StudyInput& input, Problems& problems) {
+    constexpr double k_least_thickness = 0.02;  // [m]
+    const auto& volumes = input.spec().frequency.volumes;
+    double all = 0;
+    for (const ReleaseArea& one : input.base.scene.release) all += area(one.outline);
+    if (!volumes || !(all > 0) || volumes->back().volume / all >= k_least_thickness) return;
+    problems.add({"has a greatest volume that is " + number_text(volumes->back().volume / all, 2) +
+                      " m thick on the release of " + number_text(all, 4) + " m2",
+                  input.reading.where("frequency.volumes"), shortest_text(volumes->back().volume) + " m3",
+                  "at least " + shortest_text(k_least_thickness) + " m", "Write volumes in m3, not in thousands"});
+}
+
 /// Why importance sampling has no event to look for.
 void check_rare_event(const StudyInput& input, Problems& problems) {
     const auto& gauge = input.reading.study.rare_place;
@@ -391,9 +413,10 @@ StudyInput prepare_study(StudyInput input, const std::optional<Problem>& place, 
     doubt_ground(input.central, input.base, log);
     input.base.scene.time.frame_interval = 0;
     check_rare_event(input, problems);
+    check_volumes(input, problems);
     problems.throw_if_any();
     input.identity = "study = " + name_of(input.reading.study.sampling) + "\n" + rounds_text(input) +
-                     values_text(input.table) + scene_identity(input.base);
+                     frequency_text(input.reading.study) + values_text(input.table) + scene_identity(input.base);
     RunLog silent(true);
     for (const std::size_t member : members_with_every_value(input.table)) {
         attempt(problems, [&] {

@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <map>
 #include <utility>
+#include <variant>
 
 #include "app/study/plan/read_study.h"
 #include "core/text.h"
@@ -103,6 +104,104 @@ StudyKey weight_key(const MeasureRow& row) {
                                       row.formula);
 }
 
+std::string text_with_deviation(double value, double deviation) {
+    return shortest_text(value) + (deviation > 0 ? " +- " + shortest_text(deviation) : "");
+}
+
+constexpr double k_most_rate = 10, k_most_years = 1e6;  // a year; beyond, nobody knows
+
+StudyKey rate_key() {
+    const auto read = [](auto& target, const std::string& text) -> std::optional<ValueProblem> {
+        const auto [rate, deviation] = number_and_deviation(text);
+        if (!(rate > 0))
+            return ValueProblem{"is not a number of events a year", "Write for example 0.05 or 0.05 +- 0.02"};
+        if (!(rate <= k_most_rate))
+            return ValueProblem{
+                "is more than " + shortest_text(k_most_rate) + " events a year",
+                "Of an event once in " + shortest_text(rate) + " years write " + shortest_text(1 / rate)};
+        if (!(deviation <= k_most_rate))
+            return ValueProblem{"has a standard deviation that is not a number of events a year",
+                                "Write for example 0.05 +- 0.02"};
+        target = FrequencySpec::Rate{rate, deviation};
+        return std::nullopt;
+    };
+    auto key = declare::parameter<StudySpec>(
+        "frequency.rate", "text", FRANA_MEMBER(frequency.rate), read,
+        [](const FrequencySpec::Rate& rate) { return text_with_deviation(rate.value, rate.deviation); });
+    key.limits = "greater than 0, at most " + shortest_text(k_most_rate) + ", perhaps +- its standard deviation";
+    key.meaning = "Events a year, at or above the least volume.";
+    return key;
+}
+
+/// The numbers of "a, b, c" or of "a: x, b: y", each greater than the one before it.
+std::variant<std::vector<std::pair<double, double>>, ValueProblem> rising_numbers(const std::string& text,
+                                                                                  bool in_pairs,
+                                                                                  const std::string& example) {
+    const ValueProblem unreadable{"is not of the form " + example, ""};
+    std::vector<std::pair<double, double>> all;
+    for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
+        end = text.find(',', begin);
+        const std::string part = text.substr(begin, end == std::string::npos ? end : end - begin);
+        const std::size_t colon = part.find(':');
+        if ((colon != std::string::npos) != in_pairs) return unreadable;
+        const auto first = number_from_text(trimmed(part.substr(0, colon))),
+                   second = in_pairs ? number_from_text(trimmed(part.substr(colon + 1))) : first;
+        if (!first || !second || !(*first > 0 && *second > 0)) return unreadable;
+        if (!all.empty() && !(*first > all.back().first && *second > all.back().second))
+            return ValueProblem{"does not rise at " + trimmed(part),
+                                in_pairs ? "A larger volume has a longer return period" : ""};
+        all.emplace_back(*first, *second);
+    }
+    return all;
+}
+
+StudyKey volumes_key() {
+    const auto read = [](auto& target, const std::string& text) -> std::optional<ValueProblem> {
+        const auto numbers = rising_numbers(text, true, "8000: 20, 15000: 100");
+        if (const auto* problem = std::get_if<ValueProblem>(&numbers)) return *problem;
+        std::vector<FrequencySpec::Volume> volumes;
+        for (const auto& [volume, years] : std::get<0>(numbers)) volumes.push_back({volume, years});
+        if (!(volumes.front().years >= 1 / k_most_rate && volumes.back().years <= k_most_years &&
+              volumes.back().volume <= 1e12))
+            return ValueProblem{"is out of range", "Write each volume [m3] with its return period [years]"};
+        target = volumes;
+        return std::nullopt;
+    };
+    const auto write = [](const std::vector<FrequencySpec::Volume>& volumes) {
+        std::string text;
+        for (const FrequencySpec::Volume& one : volumes)
+            text += (text.empty() ? "" : ", ") + shortest_text(one.volume) + ": " + shortest_text(one.years);
+        return text;
+    };
+    auto key = declare::parameter<StudySpec>("frequency.volumes", "text", FRANA_MEMBER(frequency.volumes), read, write);
+    key.limits = "VOLUME: YEARS, ...; both rise; volumes up to 1e12 m3, years from " + shortest_text(1 / k_most_rate) +
+                 " to " + shortest_text(k_most_years);
+    key.meaning = "Volumes of the release [m3] with the return periods [years] at which they are exceeded.";
+    return key;
+}
+
+StudyKey return_periods_key() {
+    const auto read = [](auto& target, const std::string& text) -> std::optional<ValueProblem> {
+        const auto numbers = rising_numbers(text, false, "30, 100, 300");
+        if (const auto* problem = std::get_if<ValueProblem>(&numbers)) return *problem;
+        std::vector<double> years;
+        for (const auto& [one, same] : std::get<0>(numbers)) years.push_back(one);
+        if (years.back() > k_most_years) return ValueProblem{"is out of range", ""};
+        target = years;
+        return std::nullopt;
+    };
+    const auto write = [](const std::vector<double>& years) {
+        std::string text;
+        for (const double one : years) text += (text.empty() ? "" : ", ") + shortest_text(one);
+        return text;
+    };
+    auto key = declare::parameter<StudySpec>("frequency.return-periods", "text", FRANA_MEMBER(frequency.return_periods),
+                                             read, write);
+    key.limits = "rising, up to " + shortest_text(k_most_years) + " years; without it 30, 100, 300";
+    key.meaning = "Return periods of which there are maps.";
+    return key;
+}
+
 std::vector<StudyKey> keys_of(StudyKind kind) {
     using enum StudyKind;
     const std::string section = kind == region ? "region." : "study.";
@@ -136,6 +235,7 @@ std::vector<StudyKey> keys_of(StudyKind kind) {
                                                                             {name_of(Keep::failed), Keep::failed},
                                                                             {name_of(Keep::all), Keep::all}},
                                                        "Members whose scene and maps are written to members/."));
+    for (const auto& key : {rate_key(), volumes_key(), return_periods_key()}) add({ensemble}, key);
     add({region}, column_key("region.name", FRANA_MEMBER(name), "What each slope is called."));
     add({region},
         column_key("region.group", FRANA_MEMBER(group), "What each slope belongs to: a catchment, a commune."));
@@ -251,16 +351,18 @@ std::string values_text(const std::string& of, const std::vector<std::string>& s
     std::string text = set.empty() ? "" : "\n[set" + of + "]\n";
     for (const std::string& one : set)
         text += one.substr(0, one.find('=')) + " = " + one.substr(one.find('=') + 1) + "\n";
-    if (!vary.empty()) text += "\n[vary" + of + "]\n";
-    for (const Variation& one : vary) text += one.key + " = " + text_of(one.distribution) + "\n";
+    const bool has_own = std::any_of(vary.begin(), vary.end(), [](const Variation& one) {
+        return one.distribution.law != Law::return_periods;  // that is in [frequency]
+    });
+    if (has_own) text += "\n[vary" + of + "]\n";
+    for (const Variation& one : vary)
+        if (one.distribution.law != Law::return_periods) text += one.key + " = " + text_of(one.distribution) + "\n";
     return text;
 }
 
 std::string event_text(const EventSpec& event) {
     std::string text = "\n[event " + event.name + "]\nscene = " + event.scene + "\n";
-    const auto value = [](const GaugeValue& one) {
-        return shortest_text(one.value) + (one.error > 0 ? " +- " + shortest_text(one.error) : "") + "\n";
-    };
+    const auto value = [](const GaugeValue& one) { return text_with_deviation(one.value, one.error) + "\n"; };
     if (event.runout) text += "runout = " + value(*event.runout);
     for (const GaugeKind& kind : k_gauge_kinds)
         for (const GaugeValue& one : event.*(kind.values))

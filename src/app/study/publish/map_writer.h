@@ -16,6 +16,11 @@
 
 namespace frana::app::study {
 
+/// A probability, or the rate that follows from it, and half of its interval of 95 %.
+struct Chance {
+    Raster value, margin;
+};
+
 /// Writes rasters of the table of result rasters with their texts and styles.
 class MapWriter {
   public:
@@ -24,9 +29,10 @@ class MapWriter {
 
     void write(const std::string& name, const Raster& raster) const;
     /// Makes the maps of events, and writes their probabilities: with the margin as second band; 0, not nodata, where
-    /// nothing came. Of open runs the upper bound is the third.
+    /// nothing came. Of open runs the upper bound is the third. With a frequency also the rates, and the values that
+    /// are exceeded once in its return periods are among the quantiles.
     QuantityMaps write_probabilities(const FinishedMembers& finished, const OpenRuns& all, const GridSpec& grid,
-                                     const MappedEvents& events) const;
+                                     const MappedEvents& events, const FrequencySpec& frequency = {}) const;
 
     /// Itself a lower bound, with the upper one as next band.
     /// @param upper none: the quantile has none
@@ -35,6 +41,8 @@ class MapWriter {
   private:
     /// Of the band with the upper bound of a raster.
     [[nodiscard]] gis::BandText upper_text(const std::string& name, const std::string& unit) const;
+    /// A probability or rate, its margin and, if any, its upper bound.
+    void write_chance(const std::string& name, const Chance& chance, const Raster* upper) const;
     [[nodiscard]] gis::RasterBand band_of(const std::string& name, const Raster& raster) const;
     void write(const std::string& name, const std::vector<gis::RasterBand>& bands) const;
 

@@ -21,6 +21,7 @@
 #include "app/study/plan/study_input.h"
 #include "app/study/pool/member_runs.h"
 #include "app/study/pool/study_result.h"
+#include "app/study/publish/hazard_curves.h"
 #include "app/study/publish/map_writer.h"
 #include "app/study/publish/study_files.h"
 #include "app/study/publish/study_tables.h"
@@ -342,6 +343,8 @@ StudyOutcome publish_study(StudyInput& input, std::size_t members, std::size_t c
             publish_study_ground(input, directory);
             figures = sensitivities(input, result);
             publish_study_maps(input, result, directory, facts);
+            if (const auto curves = hazard_curves(input, result, true); !curves.empty())
+                write_text_file(directory.path(k_hazard_curves), hazard_curves_csv(curves));
             facts.rare_place = rare_place_of(input, result);
             warn_of_error(input, result, facts, log);
         }

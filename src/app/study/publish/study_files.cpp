@@ -20,6 +20,7 @@
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
 #include "app/store/vector_layers.h"
+#include "app/study/publish/hazard_curves.h"
 #include "app/study/publish/map_writer.h"
 #include "app/study/statistics/cell_statistics.h"
 #include "app/text/number_text.h"
@@ -54,8 +55,8 @@ std::optional<render::Chart> exceedance(const ChartData& data, const std::string
     const StudyResult& result = data.result;
     if (result.figures().empty()) return std::nullopt;
     const Words& words = source.style.words;
-    render::Chart chart = chart_sheet(source, title, words("fraction of the members with more than the value"),
-                                      "members.csv", std::min(k_most_panels, result.figures().size()));
+    render::Chart chart =
+        chart_sheet(source, title, "", "members.csv", std::min(k_most_panels, result.figures().size()));
     for (std::size_t f = 0; f < result.figures().size() && chart.panels.size() < k_most_panels; ++f) {
         const Figure& figure = result.figures()[f];
         render::ChartPanel panel{
@@ -82,14 +83,13 @@ std::optional<render::Chart> sensitivity(const ChartData& data, const std::strin
                                       "sensitivity.csv", std::min(k_most_panels, data.sensitivities.size()));
     for (const FigureSensitivity& figure : data.sensitivities) {
         if (chart.panels.size() == k_most_panels) break;
-        render::ChartPanel panel{
-            figure.figure.title.in(words),
-            by_effects ? axis_label(figure.figure, words)
-                       : words(by_indices ? worded("fraction of the variance [-]") : worded("correlation [-]")),
-            "",
-            {}};
-        panel.note =
-            words(figure.q2 < k_least_q2 ? worded("the members do not tell it") : worded("the figure does not vary"));
+        render::ChartPanel panel{figure.figure.title.in(words),
+                                 by_effects   ? axis_label(figure.figure, words)
+                                 : by_indices ? words("fraction of the variance [-]")
+                                              : "",
+                                 "",
+                                 {}};
+        panel.note = words("the members do not tell it");
         const double count = static_cast<double>(figure.keys.size());
         panel.has_rows = true;
         panel.on_y = {0.5, count + 0.5};
@@ -116,10 +116,45 @@ std::optional<render::Chart> sensitivity(const ChartData& data, const std::strin
     return chart;
 }
 
+/// Of the gauges: solid the mean, dotted its fractiles.
+std::optional<render::Chart> hazard_curve_chart(const ChartData& data, const std::string& title,
+                                                const MapSource& source) {
+    const Words& words = source.style.words;
+    std::vector<render::ChartPanel> panels;
+    const char* known = "";
+    for (const HazardCurve& curve : hazard_curves(data.input, data.result, false)) {
+        if (known != curve.quantity.key) {
+            const std::string name = words(curve.quantity.title);
+            panels.push_back({name, with_unit(name, curve.quantity.unit), with_unit(title, "1/a"), {}});
+            panels.back().y = render::Scale::decades;
+            known = curve.quantity.key;
+        }
+        std::vector<render::ChartSeries>& all = panels.back().series;
+        const std::size_t number = all.size() / 3;
+        for (double HazardPoint::*line : {&HazardPoint::rate, &HazardPoint::low, &HazardPoint::high}) {
+            render::ChartSeries& series = all.emplace_back();
+            for (const HazardPoint& point : curve.points) series.points.push_back({point.value, point.*line});
+            render::look_apart(series, number);
+            if (line == &HazardPoint::rate) {
+                series.label = curve.place;
+                continue;
+            }
+            series.stroke = render::Stroke::dotted;
+            series.width_px = 1.2;
+            series.marker.reset();
+        }
+    }
+    if (panels.empty()) return std::nullopt;
+    render::Chart chart = chart_sheet(source, title, "5 – 95 %", k_hazard_curves, panels.size());
+    chart.panels = std::move(panels);
+    return chart;
+}
+
 /// Every chart of a study, in the order of the page.
 constexpr ChartRow<ChartData> k_charts[] = {
     {{"exceedance", worded("exceedance")}, exceedance},
     {{RasterName::sensitivity, worded("sensitivity of the results")}, sensitivity},
+    {{"hazard_curves", worded("Annual rate")}, hazard_curve_chart},
 };
 
 }  // namespace
@@ -263,11 +298,19 @@ namespace {
 
 /// Of depth and velocity alone.
 void write_quantiles(const StudyResult& result, const QuantityMaps& maps, Quantity quantity, const std::string& name,
-                     const MapWriter& writer) {
+                     const FrequencySpec& frequency, const MapWriter& writer) {
+    std::vector<std::string> files;
+    std::vector<double> fractions;
+    for (const StudyQuantile& quantile : k_study_quantiles)
+        files.push_back("quantile_max_" + name + "_" + quantile.name);
+    for (const double years : frequency.mapped_periods()) {
+        files.push_back("max_" + name + "_T" + shortest_text(years));
+        fractions.push_back(frequency.fraction_below(years));
+    }
     std::vector<std::optional<Raster>> upper;
-    if (result.open.any()) upper = quantile_bounds(result.open, quantity, result.grid);
+    if (result.open.any()) upper = quantile_bounds(result.open, quantity, result.grid, fractions);
     for (std::size_t q = 0; q < maps.quantile.size(); ++q) {
-        const std::string file = "quantile_max_" + name + "_" + k_study_quantiles[q].name;
+        const std::string& file = files[q];
         if (result.open.any())
             writer.write_quantile(file, maps.quantile[q], upper[q]);
         else
@@ -341,10 +384,12 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
     const MapWriter writer(input.base, directory);
     const std::vector<float> none(result.finished.size());
     facts.least_margin = MeanEstimate(result.finished).probability(none, 0).margin;
+    const FrequencySpec& frequency = input.spec().frequency;
     for (const MappedEvents& events : mapped_events(input.base.spec)) {
-        const QuantityMaps maps = writer.write_probabilities(result.finished, result.open, result.grid, events);
+        const QuantityMaps maps =
+            writer.write_probabilities(result.finished, result.open, result.grid, events, frequency);
         if (events.quantity == Quantity::depth) {
-            write_quantiles(result, maps, events.quantity, "depth", writer);
+            write_quantiles(result, maps, events.quantity, "depth", frequency, writer);
             writer.write(RasterName::hit_count, maps.hits);
             if (!maps.probability.empty()) {
                 write_probability_outlines(input, maps.probability.front(), directory.path(k_outlines_file));
@@ -354,12 +399,17 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
                 for (const StudyQuantile& quantile : k_study_quantiles)
                     facts.reached_m2.push_back(
                         area_at_least(maps.probability.front(), quantile.fraction, maps.margin.front()));
+                for (const double years : frequency.mapped_periods())
+                    facts.once_m2.push_back(area_at_least(maps.probability.front(),
+                                                          1 - frequency.fraction_below(years) - k_weight_rounding,
+                                                          maps.margin.front()));
                 facts.half_reached_m2 = {facts.reached_m2[1],
                                          area_at_least(maps.probability.front(), 0.5, maps.margin.front(), -1),
                                          area_at_least(maps.probability.front(), 0.5, maps.margin.front(), 1)};
             }
         }
-        if (events.quantity == Quantity::velocity) write_quantiles(result, maps, events.quantity, "velocity", writer);
+        if (events.quantity == Quantity::velocity)
+            write_quantiles(result, maps, events.quantity, "velocity", frequency, writer);
         facts.error.add(maps.errors);
     }
     const QuantityMaps arrival = quantity_maps(result.finished, Quantity::arrival, result.grid, {});

@@ -80,15 +80,30 @@ void add_areas(const StudyFacts& facts, const Words& words, Table& table) {
     }
 }
 
-void add_errors(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words,
-                Table& table) {
+/// How often the slope fails, and what that makes of the least depth threshold.
+void add_frequency(const FrequencySpec& frequency, const StudyFacts& facts, const Words& words, Table& table) {
+    if (!frequency.rate) return;
+    const ReportNumbers number(words);
+    std::string rate = number(frequency.rate->value);
+    if (frequency.rate->deviation > 0) rate += " ± " + number(frequency.rate->deviation);
+    if (const auto& volumes = frequency.volumes)
+        rate += " (≥ " + number.grouped(volumes->front().volume) + " m³); " +
+                words("larger events count as {1} m³", {number.grouped(volumes->back().volume)});
+    table.row({with_unit(words("Annual rate"), "1/a"), rate});
+    const std::vector<double> periods = frequency.mapped_periods();
+    for (std::size_t i = 0; i < facts.once_m2.size(); ++i)
+        table.row({with_unit(words("Covered area") + " (> " + number(facts.reached_threshold) + " m), " +
+                                 words("once in {1} years", {number.of_any_size(periods[i])}),
+                             "m²"),
+                   number.grouped(facts.once_m2[i])});
+}
+
+void add_errors(const StudyInput& input, const StudyFacts& facts, const Words& words, Table& table) {
     const ReportNumbers number(words);
     const auto percent = [&](double fraction) { return number.percent(fraction) + " %"; };
     table.row({words("Standard error of the probabilities"),
                words("{1} at most, {2} on average", {percent(facts.error.largest()), percent(facts.error.mean())})});
     table.row({words("Margin of a probability of 0 or 1 (95 %)"), percent(facts.least_margin)});
-    const std::vector<double>& weights = result.finished.weights;
-    table.row({words("Weight of one run"), percent(*std::max_element(weights.begin(), weights.end()))});
     if (const auto& rare = facts.rare_place)
         table.row({words("Deeper than {1} m at {2}", {number(rare->event.threshold), rare->event.gauge}),
                    percent(rare->probability.value) +
@@ -111,12 +126,16 @@ Table runs_table(const StudyInput& input, const StudyResult& result, const Study
                                      name_of(study.sampling), std::to_string(study.seed)})});
     add_unfinished(facts, words, table);
     if (!result.finished_at.empty()) {
+        add_frequency(study.frequency, facts, words, table);
         add_areas(facts, words, table);
-        add_errors(input, result, facts, words, table);
+        add_errors(input, facts, words, table);
     }
     add_scheme(facts, words, table);
     return table.row(
-        {words("Limitations"), words("If the slope fails, for these distributions; errors of the model excluded")});
+        {words("Limitations"),
+         words(study.frequency.rate
+                   ? k_condition_with_rate
+                   : worded("If the slope fails, for these distributions; errors of the model excluded"))});
 }
 
 Table region_table(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {

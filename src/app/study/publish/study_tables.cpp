@@ -136,6 +136,20 @@ Json figures_json(const StudyResult& result) {
     return json;
 }
 
+Json frequency_json(const FrequencySpec& frequency, const StudyFacts& facts) {
+    Json json{{"rate_per_year", frequency.rate->value}, {"standard_deviation", frequency.rate->deviation}};
+    if (frequency.volumes)
+        for (const FrequencySpec::Volume& one : *frequency.volumes)
+            json["volumes"].push_back({{"volume_m3", one.volume}, {"return_period_years", one.years}});
+    json["return_periods_years"] = frequency.mapped_periods();
+    if (!facts.once_m2.empty()) {
+        json["depth_threshold_m"] = facts.reached_threshold;
+        json["area_exceeded_once_m2"] = facts.once_m2;
+    }
+    json["conditional_on"] = k_condition_with_rate;
+    return json;
+}
+
 }  // namespace
 
 Json summary_head(const StudyInput& input, const StudyFacts& facts) {
@@ -189,6 +203,7 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
     json["depth_thresholds_m"] = input.base.spec.output.depth_thresholds;
     json["velocity_thresholds_ms"] = input.base.spec.output.velocity_thresholds;
     json["pressure_thresholds_kpa"] = input.base.spec.output.pressure_thresholds;
+    if (study.frequency.rate) json["frequency"] = frequency_json(study.frequency, facts);
     if (const auto& scheme = input.base.spec.hazard.scheme) json["hazard_scheme"] = *scheme;
     if (input.base.friction) {
         const ShownFriction shown = shown_friction(input);

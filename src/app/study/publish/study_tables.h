@@ -29,6 +29,10 @@ std::string members_csv(const StudyInput& input, const StudyResult& result);
 /// Returns sensitivity.csv: a row for each figure and key.
 std::string sensitivity_csv(const StudyInput& input, const std::vector<FigureSensitivity>& figures);
 
+/// What the rates of a study are conditional on.
+inline constexpr const char* k_condition_with_rate =
+    worded("For this rate and these distributions; errors of the model excluded");
+
 /// What the summary.json of a study of any kind contains besides its members.
 struct StudyFacts {
     Troubles troubles;
@@ -42,6 +46,7 @@ struct StudyFacts {
     /// Areas deeper than the threshold at some time [m2]: with the probability of each of k_study_quantiles at least;
     /// of sources that fail alone one value, that of all of them. Empty: there is no such map.
     std::vector<double> reached_m2;
+    std::vector<double> once_m2;      ///< area deeper than the threshold once in each return period of the frequency
     Interval half_reached_m2;         ///< the area with 50 %, where the interval of its probability allows it
     double reached_threshold = 0;     ///< [m]
     std::vector<HazardArea> degrees;  ///< of hazard, of a region with return periods

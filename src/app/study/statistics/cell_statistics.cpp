@@ -60,6 +60,8 @@ double upper_bound(const OpenRuns& runs, std::span<const float> values, double t
 
 MeanEstimate::MeanEstimate(const FinishedMembers& members)
     : members_(members), effective_size_(members.effective_size()) {
+    is_weighted_ = std::any_of(members.weights.begin(), members.weights.end(),
+                               [&](double weight) { return weight != members.weights.front(); });
     if (members.size() > 0)
         greatest_weight_ = *std::max_element(members.weights.begin(), members.weights.end()) /
                            std::accumulate(members.weights.begin(), members.weights.end(), 0.0);
@@ -117,6 +119,7 @@ Estimate MeanEstimate::probability(std::span<const float> values, double thresho
     const double nearer_half = (effective_size_ * p.value + 2) / (effective_size_ + 4);
     if (parts_.empty()) p.margin = k_normal * std::sqrt(nearer_half * (1 - nearer_half) / effective_size_);
     if (parts_.size() > 1) p.margin = k_student[k_replicates - 2] * std::sqrt(p.error * p.error + of_few(exceeds));
+    if (parts_.size() == 1 && is_weighted_) p.margin = std::max(p.margin, of_alike(exceeds));
     if (!std::isfinite(p.error)) return {p.value, k_unknown_error, 1};
     constexpr double k_rounding = 1e-12;  // of sums of weights; no member has so little
     const bool is_alike = p.error < k_rounding;
@@ -134,6 +137,20 @@ double MeanEstimate::of_few(const Exceeds& exceeds) const {
     const std::size_t rarer = sums[1] < sums[0] ? 1 : 0;
     const double one = sums[rarer] > 0 ? squares[rarer] / sums[rarer] / (sums[0] + sums[1]) : 0;
     return 2 * one * one;
+}
+
+template <class Exceeds>
+double MeanEstimate::of_alike(const Exceeds& exceeds) const {
+    std::array<std::size_t, k_replicates> hits{};
+    std::array<double, 2> sums{}, heaviest{};
+    for (std::size_t m = 0; m < members_.weights.size(); ++m) {
+        const std::size_t kind = exceeds(m) > 0 ? 1 : 0;
+        hits[members_.replicates[m]] += kind;
+        sums[kind] += members_.weights[m];
+        heaviest[kind] = std::max(heaviest[kind], members_.weights[m]);
+    }
+    if (std::any_of(hits.begin(), hits.end(), [&](std::size_t count) { return count != hits.front(); })) return 0;
+    return 3 * heaviest[sums[1] < sums[0] ? 1 : 0] / (sums[0] + sums[1]);
 }
 
 Estimate MeanEstimate::mean(std::span<const double> values) const {

@@ -86,7 +86,9 @@ struct Estimate {
 /// small (Agresti & Coull 1998, American Statistician 52, 119): where p is small, that adds twice the square of what a
 /// hit weighs to the variance. So it does in rounds. A probability whose standard error is 0 is not certain: with
 /// p = 3 / n none of n members exceeds in 5 % of studies, and with 3 / R one of R replicates, each of n / R members,
-/// counts one more. Where members have weights, 1 / n is the greatest: nowhere are they drawn more thinly.
+/// counts one more. Where members have weights, 1 / n is the greatest: nowhere are they drawn more thinly. In one round
+/// of such members replicates may scatter by their weights alone: with as many hits in each, 1 / n is the heaviest of
+/// the hits, or of the misses where these are rarer, and 3 / n the least margin.
 class MeanEstimate {
   public:
     explicit MeanEstimate(const FinishedMembers& members);
@@ -101,8 +103,13 @@ class MeanEstimate {
     template <class Exceeds>
     [[nodiscard]] double of_few(const Exceeds& exceeds) const;
 
+    /// The least margin where replicates of members with weights have as many hits each; 0 elsewhere.
+    template <class Exceeds>
+    [[nodiscard]] double of_alike(const Exceeds& exceeds) const;
+
     const FinishedMembers& members_;
     double effective_size_;
+    bool is_weighted_ = false;
     double greatest_weight_ = 0;        ///< of all weight
     std::vector<std::size_t> parts_{};  ///< by round: replicates that have members; empty: all members are independent
 };

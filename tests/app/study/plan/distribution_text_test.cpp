@@ -28,6 +28,11 @@ TEST(DistributionText, EveryFormIsRead) {
     EXPECT_EQ(good("log-normal(1, 2)").law, Law::log_normal);
     EXPECT_EQ(good("triangular(1e5, 2e5, 4e5)").numbers[1], 2e5);
     EXPECT_EQ(good("gaussian-field(0.5, 50)").law, Law::gaussian_field);
+    EXPECT_EQ(good("pert(1, 2, 4)").numbers.size(), 3U);
+    EXPECT_EQ(good("pareto(1e3, 0.8, 1e5)").law, Law::pareto);
+    const Distribution table = good("table(16: 1, 9: 3)");
+    EXPECT_EQ(table.numbers, (std::vector<double>{9, 16}));
+    EXPECT_EQ(table.weights, (std::vector<double>{0.75, 0.25}));
 }
 
 TEST(DistributionText, ValuesOfChoicesMayContainColonsAndCommas) {
@@ -54,6 +59,13 @@ TEST(DistributionText, WhatMakesNoSenseIsRefused) {
                                    "log-normal(0, 1)",
                                    "triangular(1, 0, 2)",
                                    "triangular(1, 1, 1)",
+                                   "pert(1, 0, 2)",
+                                   "pareto(0, 1, 2)",
+                                   "pareto(1, 0, 2)",
+                                   "pareto(2, 1, 1)",
+                                   "table(a: 1)",
+                                   "table(1: 1, 1.0: 2)",
+                                   "table(1: 0)",
                                    "choice()",
                                    "choice(a: 0)",
                                    "choice(a: 1, b)",

@@ -61,6 +61,50 @@ TEST_F(ReadStudy, ReportsEveryProblemInOnePass) {
     EXPECT_TRUE(has_problem(all, "veer.a", "1"));
 }
 
+TEST_F(ReadStudy, AFrequencyIsReadBackAndItsVolumesVaryTheRelease) {
+    const std::string text = std::string(k_head) + "[frequency]\nrate = 0.05 ± 0.02\nvolumes = 8e3: 20, 35e3: 300\n";
+    const StudyReading first = read(text);
+    EXPECT_TRUE(first.problems.empty()) << describe(first.problems.list().front());
+    EXPECT_EQ(first.study.frequency.rate->value, 0.05);
+    EXPECT_EQ(first.study.frequency.rate->deviation, 0.02);
+    EXPECT_EQ(first.study.frequency.mapped_periods(), (std::vector<double>{30, 100, 300}));
+    ASSERT_EQ(first.study.vary.size(), 1U);
+    EXPECT_EQ(first.study.vary[0].key, "release.volume");
+    const std::string written = study_text(first.study);
+    EXPECT_EQ(study_text(read(written).study), written);
+    EXPECT_FALSE(read(std::string(k_head) + "[vary]\nmaterial.turbulence = uniform(500, 900)\n").study.frequency.rate);
+}
+
+TEST_F(ReadStudy, RefusesAFrequencyThatCannotBeMeant) {
+    const auto all = [&](const std::string& frequency, const std::string& rest = "") {
+        return problems(k_head + rest + "[frequency]\n" + frequency);
+    };
+    const std::string vary = "[vary]\nmaterial.turbulence = uniform(500, 900)\n",
+                      good = "volumes = 8000: 20, 9000: 30\n";
+    EXPECT_TRUE(all(good, vary).empty());
+    EXPECT_TRUE(all("rate = 0.05\n", vary).empty());
+    const std::vector<Problem> years = all("rate = 20\n", vary);  // a return period
+    ASSERT_TRUE(
+        has_problem(years, "frequency.rate", "20", "greater than 0, at most 10, perhaps +- its standard deviation"));
+    EXPECT_NE(years.front().remedy.find("write 0.05"), std::string::npos) << years.front().remedy;
+    EXPECT_TRUE(has_problem(all("rate = -1\n", vary), "frequency.rate", "-1"));
+    EXPECT_TRUE(has_problem(all("rate = 0.05 +- 20 %\n", vary), "frequency.rate"));
+    EXPECT_TRUE(has_problem(all("volumes = 8000: 100, 9000: 20\n"), "frequency.volumes", "8000: 100, 9000: 20"));
+    EXPECT_TRUE(has_problem(all("volumes = 9000: 20, 8000: 100\n"), "frequency.volumes"));
+    EXPECT_TRUE(has_problem(all("volumes = 8000, 9000\n"), "frequency.volumes", "8000, 9000"));
+    EXPECT_TRUE(has_problem(all("return-periods = 100\n", vary), "frequency.return-periods"));
+    EXPECT_TRUE(
+        has_problem(all("rate = 0.05\nreturn-periods = 100, 30\n", vary), "frequency.return-periods", "100, 30"));
+    const std::vector<Problem> two = all("rate = 0.1\n" + good);
+    ASSERT_TRUE(has_problem(two, "frequency.rate", "0.1", "0.05"));
+    EXPECT_NE(two.front().what.find("frequency.volumes"), std::string::npos);
+    EXPECT_TRUE(all("rate = 0.0505\n" + good).empty()) << "rounded";
+    EXPECT_TRUE(has_problem(all(good, "[vary]\nrelease.volume = uniform(1, 2)\n"), "frequency.volumes"));
+    EXPECT_TRUE(has_problem(all(good, "[set]\nrelease.volume = 1\n"), "frequency.volumes"));
+    EXPECT_TRUE(has_problem(all(good, "sampling = table:t.csv\n"), "frequency.volumes"));
+    EXPECT_TRUE(has_problem(all("rat = 0.05\n", vary), "frequency.rat"));
+}
+
 TEST_F(ReadStudy, RefusesWhatASamplingCannotDo) {
     const std::string two =
         "[vary]\nmaterial.friction-coefficient = uniform(0.1, 0.3)\nmaterial.turbulence = "

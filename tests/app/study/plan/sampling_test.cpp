@@ -236,5 +236,73 @@ TEST(Sampling, TheCentralMemberHasMediansAndLikeliestChoices) {
               (std::vector<std::string>{"material.friction-coefficient=0.25", "release.thickness-direction=normal"}));
 }
 
+/// A study whose volumes are exceeded once in these return periods.
+StudySpec frequency_study(std::int64_t samples) {
+    StudySpec study = study_of(Sampling::sobol, samples, {{"material.friction-coefficient", "uniform(0, 1)"}});
+    study.frequency.rate = FrequencySpec::Rate{1.0 / 20, 0};
+    study.frequency.volumes = {{8000, 20}, {15000, 100}, {35000, 300}};
+    study.vary.insert(study.vary.begin(),
+                      {"release.volume", {Law::return_periods, {8000, 1, 15000, 5, 35000, 15}, {}, {}, ""}});
+    return study;
+}
+
+/// Weighted mean of a function of the rows, over all weight.
+template <class Of>
+double weighted(const SampleTable& table, const Of& of) {
+    double sum = 0, all = 0;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        sum += table.weights[i] * of(table.numbers[i]);
+        all += table.weights[i];
+    }
+    return sum / all;
+}
+
+// With 4096 even members one of them is 1 / 4096 of the units of log exceedance, log(15) + 1, times a weight of 3.7.
+TEST(Sampling, VolumesAreExceededAsOftenAsTheirReturnPeriodsSay) {
+    const SampleTable table = drawn(frequency_study(4096));
+    const auto years = [&](double volume) {
+        return 20 / weighted(table, [&](const std::vector<double>& row) { return row[0] >= volume ? 1.0 : 0.0; });
+    };
+    EXPECT_NEAR(years(8000), 20, 1e-9);
+    EXPECT_NEAR(years(15000) / 100, 1, 0.01);
+    EXPECT_NEAR(years(35000) / 300, 1, 0.01);
+    // On a straight line in logarithms: the middle of both.
+    EXPECT_NEAR(years(std::sqrt(15000.0 * 35000)) / std::sqrt(100.0 * 300), 1, 0.01);
+    double greatest = 0;
+    std::size_t rare = 0;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        greatest = std::max(greatest, table.weights[i]);
+        rare += table.numbers[i][0] >= 15000 ? 1 : 0;
+    }
+    EXPECT_LE(greatest, std::log(15.0) + 1);
+    EXPECT_NEAR(static_cast<double>(rare) / 4096, (std::log(3.0) + 1) / (std::log(15.0) + 1), 0.01)
+        << "a fifth of the events is more than half of the members";
+}
+
+// What follows the volume keeps its own distribution: under the weights the place of a correlated key is even.
+TEST(Sampling, AKeyThatFollowsTheVolumeKeepsItsDistribution) {
+    StudySpec study = frequency_study(4096);
+    study.correlate.push_back({"release.volume", "material.friction-coefficient", -0.6});
+    const SampleTable table = drawn(study);
+    for (const double part : {0.1, 0.5, 0.9})
+        EXPECT_NEAR(weighted(table, [&](const std::vector<double>& row) { return row[1] < part ? 1.0 : 0.0; }), part,
+                    0.01);
+    EXPECT_LT(weighted(table, [&](const auto& row) { return row[0] >= 35000 ? row[1] : 0; }) * 15, 0.35)
+        << "the largest have little";
+}
+
+// Means of the laws in closed form: (a + 4 c + b) / 6; of the Pareto law with the exponent 1 between 1 and 4, the
+// integral of 1 / x over that of 1 / x^2.
+TEST(Sampling, TheLawsOfFrequenciesHaveTheirMeans) {
+    const SampleTable table = drawn(study_of(Sampling::sobol, 4096,
+                                             {{"material.turbulence", "pert(1, 2, 6)"},
+                                              {"release.volume", "pareto(1, 1, 4)"},
+                                              {"time.end", "table(9: 3, 1: 1)"}}));
+    EXPECT_NEAR(mean(column(table, 0)), 15.0 / 6, 0.005);
+    EXPECT_NEAR(mean(column(table, 1)), std::log(4.0) / 0.75, 0.005);
+    EXPECT_NEAR(mean(column(table, 2)), 7, 0.01);
+    EXPECT_FALSE(table.nominal[2]);
+}
+
 }  // namespace
 }  // namespace frana::app::study

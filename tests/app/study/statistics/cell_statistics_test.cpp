@@ -266,5 +266,57 @@ TEST(Errors, AreTheScatterOfStudies) {
     }
 }
 
+// A block slides down 100 m and stops where the energy line of its friction does, x = 100 m / mu; mu falls with the
+// volume, which has return periods, and has a factor of its own. The truth is integrated, of what the events with a
+// volume of log exceedance e do.
+TEST(Errors, RatesOfABlockAreWithinTheirMargins) {
+    constexpr double k_years[] = {20, 100, 300}, k_volumes[] = {2000, 6000, 20000};
+    const CheapScene block{{{"material.friction-coefficient", "uniform(0.2, 0.4)"}},
+                           {},
+                           [](const std::vector<double>& x) { return 100 / x[1] * std::pow(x[0] / 2000, 0.2); }};
+    StudySpec study = study_of(block);
+    study.frequency.rate = FrequencySpec::Rate{1 / k_years[0], 0};
+    study.frequency.volumes = {{k_volumes[0], 20}, {k_volumes[1], 100}, {k_volumes[2], 300}};
+    study.vary.insert(study.vary.begin(),
+                      {k_volume_key, {Law::return_periods, {2000, 1, 6000, 5, 20000, 15}, {}, {}, ""}});
+    study.samples = 64;
+    const auto truth = [&](double far) {
+        constexpr int k_parts = 20000;
+        double all = 0;
+        const auto beyond = [&](double volume) {  // fraction of the frictions that let it come
+            return std::clamp((100 / far * std::pow(volume / 2000, 0.2) - 0.2) / 0.2, 0.0, 1.0);
+        };
+        for (int i = 0; i < k_parts; ++i) {
+            const double exceedance = 1 - (i + 0.5) / k_parts * (1 - 1 / 15.0), years = 20 / exceedance;
+            const std::size_t k = years < 100 ? 0 : 1;
+            const double volume =
+                k_volumes[k] * std::pow(k_volumes[k + 1] / k_volumes[k],
+                                        std::log(years / k_years[k]) / std::log(k_years[k + 1] / k_years[k]));
+            all += beyond(volume) * (1 - 1 / 15.0) / k_parts;
+        }
+        return all + beyond(k_volumes[2]) / 15;
+    };
+    constexpr int k_studies = 200;
+    for (const double far : {300.0, 400.0, 450.0, 500.0, 600.0, 700.0}) {
+        const double exact = truth(far);
+        double held = 0, squares = 0, stated = 0, sum = 0;
+        for (int seed = 0; seed < k_studies; ++seed) {
+            study.seed = seed;
+            const CheapStudy drawn(block, study);
+            const std::vector<float> values(drawn.run_out.begin(), drawn.run_out.end());
+            const Estimate p = MeanEstimate(drawn.members).probability(values, static_cast<float>(far));
+            held += std::abs(p.value - exact) <= p.margin ? 1.0 / k_studies : 0;
+            squares += (p.value - exact) * (p.value - exact) / k_studies;
+            stated += p.error * p.error / k_studies;
+            sum += p.value / k_studies;
+        }
+        std::printf("%g m: once in %.0f years, mean of the studies %.0f; stated over true error %.2f, held %.3f\n", far,
+                    20 / exact, 20 / sum, std::sqrt(stated / squares), held);
+        EXPECT_GT(held, 0.9) << far;
+        EXPECT_NEAR(sum / exact, 1, 3 * std::sqrt(squares / k_studies) / exact + 0.005) << far;
+        EXPECT_LT(std::sqrt(squares), 0.5 * exact) << far << ": rare ones are told too";
+    }
+}
+
 }  // namespace
 }  // namespace frana::app::study::test

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+// How often, as a user sees it: rates, what is exceeded once in some years, hazard curves.
+#include <gdal_priv.h>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "study/tiny_study.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double k_release_area = 50.0 * 40;  // [m2]
+
+class Frequency : public Ensemble {
+  protected:
+    Frequency() { write_frequency_scene(); }
+
+    /// Finite volumes, with gauges on the axis of the flow so far east of the DTM's western edge [m].
+    void write_frequency_scene(const std::vector<double>& gauges = {45, 122.5, 162.5, 192.5}) const {
+        std::string text =
+            R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [)";
+        for (std::size_t i = 0; i < gauges.size(); ++i)
+            text += (i > 0 ? "," : "") + std::string(R"({"type": "Feature", "properties": {"name": "g)") +
+                    std::to_string(i) + R"("}, "geometry": {"type": "Point", "coordinates": [)" +
+                    std::to_string(k_west + gauges[i]) + ", " + std::to_string(k_south + 72.5) + "]}}";
+        write("gauges.geojson", text + "]}");
+        write_scene("stop-when-still = off\n[numerics]\nscheme = finite-volume\n" + k_numbers_only +
+                    "charts = off\ngauges = gauges.geojson\n");
+    }
+    [[nodiscard]] std::vector<double> band(const std::string& name, int number) const {
+        GDALAllRegister();
+        const GDALDatasetUniquePtr file(GDALDataset::Open(path(name + ".tif").c_str()));
+        std::vector<double> values(static_cast<std::size_t>(k_columns * k_rows));
+        EXPECT_NE(file, nullptr) << name;
+        EXPECT_EQ(file->GetRasterBand(number)->RasterIO(GF_Read, 0, 0, k_columns, k_rows, values.data(), k_columns,
+                                                        k_rows, GDT_Float64, 0, 0),
+                  CE_None);
+        return values;
+    }
+    /// Rows of hazard_curves.csv of the depth at a gauge.
+    [[nodiscard]] Rows curve(const std::string& gauge) const {
+        const gis::Table table = gis::read_table(path("out/hazard_curves.csv"), "curves");
+        EXPECT_EQ(table.columns,
+                  (std::vector<std::string>{"kind", "place", "quantity", "value", "annual_rate", "low", "high"}));
+        Rows rows;
+        for (const auto& cells : table.rows)
+            if (cells[1] == gauge && cells[2] == "max_depth_m")
+                rows.push_back({{"value", cells[3]}, {"rate", cells[4]}, {"low", cells[5]}, {"high", cells[6]}});
+        return rows;
+    }
+};
+
+/// Rate of events above a volume, for 2000: 20, 4000: 100, 8000: 400.
+double rate_above(double volume) {
+    if (volume <= 2000) return 1.0 / 20;
+    if (volume > 8000) return 0;
+    const double v0 = volume <= 4000 ? 2000 : 4000, t0 = volume <= 4000 ? 20 : 100, t1 = volume <= 4000 ? 100 : 400;
+    return 1 / (t0 * std::pow(t1 / t0, std::log(volume / v0) / std::log(2.0)));
+}
+const std::string k_volumes = "[frequency]\nvolumes = 2000: 20, 4000: 100, 8000: 400\n";
+
+// What does not move is as deep as its volume over its outline: the rate of each depth is known in closed form.
+TEST_F(Frequency, RatesOfAPileAtRestAreThoseOfItsVolumes) {
+    write_dtm([](int, int column) { return 300 - 0.05 * column * k_cell; });
+    write_study("samples = 64\n", "[set]\nmaterial.friction-angle = 45\ntime.end = 1\n" + k_volumes);
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    int compared = 0;
+    for (const auto& row : curve("g0")) {
+        const double depth = std::stod(row.at("value")), truth = rate_above(depth * k_release_area),
+                     rate = std::stod(row.at("rate"));
+        if (depth <= 1 || depth >= 4) continue;
+        // 2 % for the slope of the outline's cells; the interval of 5 to 95 % is that of one deviation of 1.64.
+        EXPECT_GE(truth, std::stod(row.at("low")) - 0.02 * truth) << depth;
+        EXPECT_LE(truth, std::stod(row.at("high")) + 0.02 * truth) << depth;
+        EXPECT_NEAR(rate / truth, 1, 0.25) << depth;
+        ++compared;
+    }
+    EXPECT_GE(compared, 3);
+}
+
+// Where the flow comes to is a function of the volume: between the greatest that does not come and the least that does.
+TEST_F(Frequency, RatesAtDistancesAreWithinTheirMargins) {
+    write_study("samples = 64\nkeep = all\n",
+                "[set]\ntime.end = 20\n[frequency]\nrate = 0.05 +- 0.02\n" + k_volumes.substr(12));
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string raster = "out/annual_rate_depth_0.5";
+    const std::vector<double> rates = band(raster, 1), margins = band(raster, 2);
+    const Rows all = members();
+    int between = 0;
+    for (const int column : {24, 30, 34, 36, 38, 40, 42, 44}) {
+        const std::size_t cell = 15 * k_columns + static_cast<std::size_t>(column);
+        double misses = 0, hits = 1e9;
+        for (const auto& member : all) {
+            const Raster depth =
+                gis::read_result_raster(path("out/members/member_" + std::string(7 - member.at("member").size(), '0') +
+                                             member.at("member") + "/max_depth.tif"));
+            const double volume = std::stod(member.at("release.volume"));
+            (depth.values[cell] > 0.5 ? hits = std::min(hits, volume) : misses = std::max(misses, volume));
+        }
+        const double rate = rates[cell];
+        // The rate's own deviation is 40 %.
+        EXPECT_GE(margins[cell], 1.95 * 0.4 * rate) << column;
+        if (misses == 0 || hits > 8000) continue;
+        ++between;
+        const double of_members =
+            margins[cell] > 0 ? std::sqrt(std::max(0.0, std::pow(margins[cell], 2) - std::pow(1.96 * 0.4 * rate, 2)))
+                              : 0;
+        EXPECT_LE(rate, rate_above(std::min(misses, hits)) + of_members) << column;
+        EXPECT_GE(rate, rate_above(std::max(misses, hits)) - of_members) << column;
+    }
+    EXPECT_GE(between, 2);
+    const Json summary = parse_json(read_text(path("out/summary.json")));
+    EXPECT_EQ(summary["frequency"]["rate_per_year"], 0.05);
+    EXPECT_EQ(summary["frequency"]["standard_deviation"], 0.02);
+    EXPECT_EQ(summary["frequency"]["return_periods_years"].size(), 3U);
+}
+
+// One volume, one friction: the scenario, as often as it is.
+TEST_F(Frequency, OfOneEventTheMapsAreThoseOfTheScenario) {
+    write_study("samples = 2\n",
+                "[set]\ntime.end = 20\n[frequency]\nvolumes = 4000: 50\nreturn-periods = 30, 50, 100\n");
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string end = "time.end=" + members()[0].at("time.end");  // it ran on
+    ASSERT_EQ(frana({"run", "scene.ini", "--set", "release.volume=4000", "--set", end, "--out", "alone"}).exit_code, 0);
+    const std::vector<double> scenario = band("alone/max_depth", 1), speed = band("alone/max_velocity", 1),
+                              rates = band("out/annual_rate_depth_0.5", 1), t30 = band("out/max_depth_T30", 1),
+                              t50 = band("out/max_depth_T50", 1), t100 = band("out/max_depth_T100", 1),
+                              fast = band("out/max_velocity_T100", 1);
+    int reached = 0;
+    for (std::size_t cell = 0; cell < scenario.size(); ++cell) {
+        const bool comes = scenario[cell] > 0;
+        reached += comes ? 1 : 0;
+        EXPECT_EQ(t50[cell], scenario[cell]);
+        EXPECT_EQ(t100[cell], scenario[cell]);
+        EXPECT_EQ(t30[cell], comes ? 0 : -9999);
+        EXPECT_EQ(fast[cell], speed[cell]);
+        EXPECT_NEAR(rates[cell], scenario[cell] > 0.5 ? 0.02 : 0, 1e-9);
+    }
+    EXPECT_GT(reached, 50);
+}
+
+TEST_F(Frequency, SameBitsForAnyNumberOfThreadsAndAfterAKill) {
+    write_study("samples = 32\n",
+                "[vary]\nmaterial.friction-angle = pert(12, 15, 20)\n[correlate]\nrelease.volume "
+                "material.friction-angle = -0.5\n[set]\ntime.end = 20\n" +
+                    k_volumes);
+    for (const std::string threads : {"1", "2"})
+        ASSERT_EQ(frana({"ensemble", "study.ini", "--out", "out" + threads, "--threads", threads, "--quiet"}).exit_code,
+                  0);
+    expect_same("out1", "out2");
+    EXPECT_EQ(read_text(path("out1/hazard_curves.csv")), read_text(path("out2/hazard_curves.csv")));
+    ASSERT_EQ(stop_after(8, SIGKILL).exit_code, -SIGKILL);
+    const Outcome resumed = run({"--resume"});
+    ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+    expect_same("out1", "out");
+    EXPECT_EQ(read_text(path("out1/hazard_curves.csv")), read_text(path("out/hazard_curves.csv")));
+}
+
+TEST_F(Frequency, WithoutOneThereAreNoRatesAndVolumesMustFitTheScene) {
+    write_study("samples = 4\n", k_two_keys);
+    ASSERT_EQ(run().exit_code, 0);
+    for (const std::string& name : files())
+        for (const char* of_frequency : {"annual_rate", "_T100", "hazard_curves"})
+            EXPECT_EQ(name.find(of_frequency), std::string::npos) << name;
+    EXPECT_FALSE(parse_json(read_text(path("out/summary.json"))).contains("frequency"));
+    const auto expect_refused = [&](const std::string& words) {
+        const Outcome outcome = frana({"check", "study.ini"});
+        EXPECT_EQ(outcome.exit_code, 2) << words;
+        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    };
+    write_study("samples = 4\n", "[frequency]\nvolumes = 2: 20, 4: 100, 8: 400\n");
+    expect_refused("not in thousands");
+    write("scene.ini",
+          "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nlevel = 250\n" + k_numbers_only);
+    write_study("samples = 4\n", k_volumes);
+    expect_refused("release.volume");
+}
+
+}  // namespace
+}  // namespace frana::test
