@@ -56,7 +56,7 @@ void ResultReader::add_study(MapSource& source) const {
         if (const std::string keys = varied_keys(*summary, words_); finished && !keys.empty()) {
             const auto rate = value_in<double>(*summary, "/frequency/rate_per_year");
             source.scenario = rate ? words_.labelled(words_("Annual rate"), words_.number(number_text(*rate, 3))) +
-                                         "; " + words_.labelled(words_("Varied"), keys)
+                                         ". " + words_.labelled(words_("Varied"), keys)
                                    : words_("If the slope fails: fraction of {1} runs; varied: {2}",
                                             {std::to_string(*finished), keys});
         }

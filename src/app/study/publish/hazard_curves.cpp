@@ -87,13 +87,16 @@ std::vector<HazardCurve> hazard_curves(const StudyInput& input, const StudyResul
             for (const double level : curve_levels(greatest, events.thresholds))
                 curves[first + at].points.push_back(point_of(*rate, level, estimate.probability(values, level)));
         });
-        if (!result.open.any()) continue;
         const double most = fractiles(rate->value, rate->deviation).second;
-        for_each_feature(result.open.runs, events.quantity, result.grid, cells, [&](std::size_t at, Values values) {
+        const auto add_bound = [&](std::size_t at, Values values) {
             for (HazardPoint& point : curves[first + at].points)
                 point.high = std::max(point.high, most * upper_bound(result.open, values, point.value));
-        });
+        };
+        if (result.open.any()) for_each_feature(result.open.runs, events.quantity, result.grid, cells, add_bound);
     }
+    for (HazardCurve& curve : curves)  // what exceeds a value exceeds all lower ones
+        for (std::size_t i = 1; i < curve.points.size(); ++i)
+            curve.points[i].high = std::min(curve.points[i].high, curve.points[i - 1].high);
     return curves;
 }
 

@@ -38,7 +38,8 @@ struct HazardCurve {
 ///
 /// The rate r (gamma, see FrequencySpec) times the probability p, whose standard error is e: mean r p, variance
 /// (r e)^2 + s^2 (p^2 + e^2); the fractiles are those of a gamma distribution with these. Where no run exceeds a value
-/// the upper one is that of r times the margin of a probability of 0. Runs that were cut, left or failed count in it.
+/// the upper one is that of r times the margin of a probability of 0. Runs that were cut, left or failed count in it;
+/// it never rises with the value.
 std::vector<HazardCurve> hazard_curves(const StudyInput& input, const StudyResult& result, bool with_objects);
 
 /// Returns hazard_curves.csv.
