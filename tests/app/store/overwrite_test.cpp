@@ -83,7 +83,10 @@ void Overwrite::make_studies(bool all) const {
     write_scene(k_numbers_only +
                 "pressure-thresholds = 5\n[hazard]\nscheme = swiss-debris-flow\nprocess = all\n[material]\n"
                 "density = 2000\n");
-    write("study.ini", "[study]\nscene = scene.ini\nsamples = 8\nsampling = random\nkeep = all\n" + two_keys);
+    write("study.ini",
+          "[study]\nscene = scene.ini\nsamples = 8\nsampling = random\nkeep = all\n[frequency]\nrate = 0.05\n"
+          "[set]\noutput.exposure = perimeter.geojson\n" +
+              two_keys);
     write("region.ini",
           "[region]\nscene = scene.ini\nscenario = depth\nreturn-period = depth\n[set]\n"
           "output.exposure = perimeter.geojson\n");
