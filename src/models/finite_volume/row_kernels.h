@@ -344,8 +344,7 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
     const Quad weight_below = max(at(b.weight), tiny), weight_above = max(at(c.weight), tiny),
                per_weight = level / (weight_below * weight_above);
     Quad wall_below = zero, wall_above = zero;
-    const auto meets = beds.meets > 0.5;
-    if (L::any(meets)) {
+    if (const auto meets = beds.meets > 0.5; L::any(meets)) {
         wall_below =
             select(meets & (dz > 0), taken_by_wall(below.depth, below.speed, below.normal, v) / weight_below, zero);
         wall_above = select(meets & (zero > dz),
