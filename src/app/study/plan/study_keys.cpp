@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <initializer_list>
 #include <map>
@@ -168,9 +169,13 @@ StudyKey volumes_key() {
         return std::nullopt;
     };
     const auto write = [](const std::vector<FrequencySpec::Volume>& volumes) {
+        // Maps show it: 300000, not 3e+05.
+        const auto plain = [](double value) {
+            return value == std::floor(value) ? std::to_string(std::llround(value)) : shortest_text(value);
+        };
         std::string text;
         for (const FrequencySpec::Volume& one : volumes)
-            text += (text.empty() ? "" : ", ") + shortest_text(one.volume) + ": " + shortest_text(one.years);
+            text += (text.empty() ? "" : ", ") + plain(one.volume) + ": " + plain(one.years);
         return text;
     };
     auto key = declare::parameter<StudySpec>("frequency.volumes", "text", FRANA_MEMBER(frequency.volumes), read, write);
