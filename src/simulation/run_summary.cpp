@@ -265,8 +265,6 @@ MotionAtEnd motion_at_end(StopReason reason, double fastest, double moving_fract
                           double deposit_change) noexcept {
     constexpr double k_moving_speed = 0.1;    // [m/s]
     constexpr double k_moving_volume = 0.01;  // however thin it moves
-    // More than creeps: a front that rests while so much moves may be pushed on from behind.
-    constexpr double k_creeping_volume = 0.05;
     // What has settled has a final deposit as well, but for a loose time.stop-change.
     const bool has_settled = reason == StopReason::settled;
     front_is_final = front_is_final && (has_settled ? deposit_change : moving_fraction) <= k_creeping_volume;

@@ -140,6 +140,9 @@ TraceFigures trace_figures(const RunResult& result, const Raster& terrain, doubl
 /// Returns one word for scripts: "end-time", "still", "all-left", "requested", "reached-no-data", "non-finite".
 std::string stop_word(StopReason reason);
 
+/// Fraction of the volume above which more than creeps: a front that rests meanwhile may be pushed on from behind.
+inline constexpr double k_creeping_volume = 0.05;
+
 /// How material moved when a run ended.
 struct MotionAtEnd {
     bool front = false;    ///< the front still moved: run-out and final depth are not those of the deposit

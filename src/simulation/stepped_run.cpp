@@ -13,6 +13,7 @@
 #include "mpm/node_grid.h"
 #include "params/keys/result_rasters.h"
 #include "simulation/release.h"
+#include "simulation/run_summary.h"
 #include "simulation/run_warnings.h"
 #include "simulation/scene.h"
 #include "simulation/terms.h"
@@ -358,7 +359,8 @@ std::optional<StopReason> SteppedRun::reason_to_stop(const StepStatistics& stati
     if (arrivals_.done()) {
         if (model_->empty()) return StopReason::all_left;
         if (scene_.time.stop_when_still && still_.still(statistics)) return StopReason::still;
-        if (settling_.settled(*model_, statistics.kinetic, result_.volume_entered + model_->bed_budget().eroded))
+        const double all = result_.volume_entered + model_->bed_budget().eroded;
+        if (settling_.settled(*model_, statistics.kinetic, all) && result_.moving_fraction_limit <= k_creeping_volume)
             return StopReason::settled;
         if (scene_.time.stop_momentum > 0 && fade_.momentum(model_->momentum())) return StopReason::momentum;
     }
