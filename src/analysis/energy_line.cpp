@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <queue>
-#include <tuple>
 #include <utility>
 
 #include "core/reached_raster.h"

@@ -24,13 +24,11 @@ namespace {
 
 constexpr double k_shown_fraction = 0.05;  // relative difference of a raster's volume from the flow's without a warning
 constexpr double k_jumping = 0.05;         // of all volume, over all jumps
-// Greatest rise of energy without a warning, of the work of gravity: a mass slides as much farther.
-constexpr double k_energy_error = 0.05;
-constexpr double k_pile = 0.05;          // of the deepest deposit, that a pile may stand too high without a warning
-constexpr double k_thin_fraction = 0.1;  // of the volume that may be thinner than visible without a warning
-constexpr double k_high_step = 30;       // of the surface of a release between two cells, without a warning [m]
-constexpr double k_steep_step = 1.75;    // and its slope: 60 degrees
-constexpr double k_stout = 0.5;          // mean thickness of a release, of its width
+constexpr double k_pile = 0.05;            // of the deepest deposit, that a pile may stand too high without a warning
+constexpr double k_thin_fraction = 0.1;    // of the volume that may be thinner than visible without a warning
+constexpr double k_high_step = 30;         // of the surface of a release between two cells, without a warning [m]
+constexpr double k_steep_step = 1.75;      // and its slope: 60 degrees
+constexpr double k_stout = 0.5;            // mean thickness of a release, of its width
 constexpr std::int64_t k_few_particles = 300;
 // Cells across the flow: in a gully of 2 to 3 its speed is 15 to 60 % too low (Run.TellsOfAFlowOfFewCells).
 constexpr double k_narrow = 3;

@@ -22,6 +22,9 @@ namespace frana {
 inline constexpr const char* k_few_particles_warning =
     worded("{1} particles only: area and run-out uncertain; reduce terrain.cell-size");
 
+/// Greatest rise of energy without a warning, of the work of gravity: a mass slides as much farther.
+inline constexpr double k_energy_error = 0.05;
+
 /// That of flights.
 inline constexpr const char* k_flights_warning = worded("{1} m3 flew over edges, {2} m high: maps omit it");
 

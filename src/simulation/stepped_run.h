@@ -159,6 +159,8 @@ class EnergyWatch {
 // that barely overcomes friction exceeds it within that time).
 class StillWatch {
   public:
+    static constexpr double k_crawl = 0.01;  ///< [m/s]
+
     bool still(const StepStatistics& now) {
         const double mean = now.volume > 0 ? std::sqrt(2 * now.kinetic / now.volume) : 0;
         const double speed = std::max(now.max_speed, mean);
@@ -173,8 +175,7 @@ class StillWatch {
     }
 
   private:
-    static constexpr double k_crawl = 0.01;  // [m/s]
-    static constexpr double k_while = 5;     // [s]
+    static constexpr double k_while = 5;  // [s]
     static constexpr int k_frozen_steps = 10;
     int frozen_ = 0;
     double crawling_ = 0;

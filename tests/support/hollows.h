@@ -45,6 +45,21 @@ inline Hollow pit(double cell) {
             [](Point p) { return bench::Seed{p.x > 20 && p.x < 120 && p.y > 30 && p.y < 90 ? 2.0 : 0.0}; }, inside, 40};
 }
 
+/// A film of 18 m/s, 2 m deep and 90 m long, before a dam of 7 m across a channel; inside is what passes it.
+inline Hollow dam(double cell) {
+    const GridSpec grid = bench::plain_grid(std::llround(700 / cell), 4, cell);
+    return {grid,
+            bench::sample_raster(grid,
+                                 [](Point p) {
+                                     if (p.x > 350 && p.x < 360) return 107.0;
+                                     return 100 - 0.3 * std::max({0.0, p.x - 430, 200 - p.x});
+                                 }),
+            [](Point p) {
+                return bench::Seed{p.x > 240 && p.x < 330 ? 2.0 : 0.0, 18};
+            },
+            [](Point p) { return p.x > 360; }, 30};
+}
+
 /// Fraction of the volume of a set of particles that is in the hollow.
 inline double fraction_inside(const Hollow& hollow, const ParticleSet& particles) {
     double trapped = 0, all = 0;

@@ -200,9 +200,8 @@ void print_members(const study::StudyInput& input) {
     for (const study::TableColumn& column : input.table.columns)
         if (column.use != study::TableColumn::Use::key) print_fact(column.name, use_of(column.use));
     print_correlations(study);
-    if (const auto& rate = study.frequency.rate)
-        print_fact("events a year",
-                   shortest_text(rate->value) + (rate->deviation > 0 ? " +- " + shortest_text(rate->deviation) : ""));
+    if (study.frequency.rate)
+        print_fact("events a year", *find_parameter(study::study_keys(study.kind), "frequency.rate")->write(study));
     std::printf("\nMembers\n");
     print_fact("members", std::to_string(input.members()) + (study.until ? " at most" : "") + ", sampling " +
                               study::name_of(study.sampling) + ", seed " + std::to_string(study.seed));

@@ -59,7 +59,7 @@ std::string thresholds(const std::string& english, const Words& words) {
 
 std::string raster_title(const ResultRaster& row, const std::string& name, const Words& words) {
     const std::string next = ", ", value = row.by_value ? text_for(row, "{}", name) : "";
-    std::string pattern = row.by_value ? text_for(row, row.title, row.name + "_{1}") : row.title, title;
+    std::string pattern = row.by_value ? text_for(row, row.title, row.of_value("{1}")) : row.title, title;
     for (std::size_t end = 0; end != pattern.npos; pattern.erase(0, end + next.size())) {
         end = pattern.find(next);
         const std::string part = pattern.substr(0, end);

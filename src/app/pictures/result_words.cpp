@@ -55,10 +55,11 @@ void ResultReader::add_study(MapSource& source) const {
         // A probability of values that somebody chose, and of a failure that is taken for granted: no hazard by itself.
         if (const std::string keys = varied_keys(*summary, words_); finished && !keys.empty()) {
             const auto rate = value_in<double>(*summary, "/frequency/rate_per_year");
-            source.scenario = rate ? words_.labelled(words_("Annual rate"), words_.number(number_text(*rate, 3))) +
-                                         ". " + words_.labelled(words_("Varied"), keys)
-                                   : words_("If the slope fails: fraction of {1} runs; varied: {2}",
-                                            {std::to_string(*finished), keys});
+            source.scenario =
+                rate ? words_.labelled(words_("Annual rate"), words_.number(number_text(*rate, 3)) + "/a") + ". " +
+                           words_.labelled(words_("Varied"), keys)
+                     : words_("If the slope fails: fraction of {1} runs; varied: {2}",
+                              {std::to_string(*finished), keys});
         }
         const auto troubles = troubles_in(*summary);
         if (troubles && troubles->any()) {

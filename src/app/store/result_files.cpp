@@ -71,10 +71,10 @@ class Table {
     Table& add_rasters() {
         for (const ResultRaster& row : result_rasters()) {
             if (row.command != command_) continue;
-            if (row.in_result()) add(FileKind::raster, {raster_pattern(row)});
+            if (row.in_result()) add(FileKind::raster, {row.stem_pattern() + ".tif"});
             // Elevations are not drawn as a map, but have the style of relief.
             if (row.in_result() && (row.is_drawn() || row.kind == ResultRaster::Kind::given))
-                add_styles(raster_pattern(row));
+                add_styles(row.stem_pattern() + ".tif");
             if (row.in_frames || row.kind == ResultRaster::Kind::frame)
                 add(FileKind::raster, {std::string(k_frame_folder) + "/" + row.name + "_*.tif"})
                     .add_styles(frame_style(row.name) + ".tif");

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/json.h"
-#include "params/keys/result_rasters.h"
 
 namespace frana::app {
 
@@ -99,10 +98,6 @@ inline std::string frame_style(const std::string& quantity) {
 /// File of a raster of params/keys/result_rasters.h.
 inline std::string raster_file(const std::string& name) {
     return name + ".tif";
-}
-/// Pattern of the files of a row: "probability_depth_*.tif"; "max_depth_T*.tif", as a return period follows at once.
-inline std::string raster_pattern(const ResultRaster& row) {
-    return raster_file(row.name.ends_with("_T") ? row.name + "*" : row.stem_pattern());
 }
 inline constexpr const char* k_study_file = "study.ini";
 inline constexpr const char* k_region_file = "region.ini";

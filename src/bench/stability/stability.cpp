@@ -7,6 +7,8 @@
 
 #include "analysis/energy_line.h"
 #include "physics/laws.h"
+#include "simulation/run_warnings.h"
+#include "simulation/stepped_run.h"
 
 namespace frana::bench {
 namespace {
@@ -17,8 +19,6 @@ constexpr double k_volume_limit = 1e-12;  // rounding of sums over some 1e5 part
 // The mean way of the fastest in a step, over the Courant number: material that particles move may go 5/4 of it
 // (StepBounds); waves here go as on level ground, on 25 degrees faster by 1 / cos^3 = 1.34.
 constexpr double k_courant_limit = 1.35;
-// The rise of energy above which a run warns.
-constexpr double k_energy_limit = 0.05;
 // The order of sums differs in the mirror: their rounding, 1e-16, grows in cells with their number, among particles
 // with the gradients of the flow. Where all rows of particles are alike, rounding decides which of them split and
 // merge.
@@ -30,8 +30,6 @@ constexpr double k_mirror_of_solids = 0.1;
 constexpr double k_cell_limit = 1, k_way_limit = 0.05;
 // What a basin holds does not depend on its cells.
 constexpr double k_trap_limit = 0.05;
-// The speed below which a run counts as still [m/s].
-constexpr double k_rest_limit = 0.01;
 
 Setup set_up(const HardCase& one, const Variant& variant) {
     Setup setup = one.make(variant);
@@ -159,7 +157,7 @@ StabilityRow run_case(const HardCase& one, const Variant& variant, int threads) 
         const Soundness& s = row.sound;
         row.figures.push_back({"speed over the highest possible", s.speed_ratio, 1});
         if (!variant.structured && (one.figures & k_energy))
-            row.figures.push_back({"energy rise, of the work of gravity", s.energy_rise, k_energy_limit});
+            row.figures.push_back({"energy rise, of the work of gravity", s.energy_rise, k_energy_error});
         row.figures.push_back({"above the energy line, of the fall", s.above_line, k_line_error});
         row.figures.push_back({"volume error", s.volume_error, k_volume_limit});
         row.figures.push_back({"non-finite values", static_cast<double>(s.non_finite), 0});
@@ -179,7 +177,7 @@ StabilityRow run_case(const HardCase& one, const Variant& variant, int threads) 
         // Water between grains at rest still flows.
         const bool grains = setup.structured && setup.structured->solids;
         if ((one.figures & k_rest) && !grains)
-            row.figures.push_back({"speed at the end [m/s]", row.sound.last_speed, k_rest_limit});
+            row.figures.push_back({"speed at the end [m/s]", row.sound.last_speed, StillWatch::k_crawl});
         if (one.figures & k_mirror) add_mirror(one, variant, setup, run, threads, row);
         if (one.figures & k_cells) add_cells(one, variant, setup, run, threads, row);
     }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "params/grammar/value_text.h"
 #include "params/keys/scene_spec.h"
 
 namespace frana {
@@ -90,9 +89,11 @@ void add_frequency(Table& table) {
     rate("annual_rate_intensity", "Annual rate, intensity class ≥ {}",
          "Events a year in which the class of `hazard.scheme` is {} or higher");
     by_value("max_depth_T", "Maximum depth, once in {} years",
-             "Maximum depth, vertical, that is exceeded once in {} years", "m", "depth", k_progressive);
+             "Maximum depth, vertical, that is exceeded once in {} years", "m", "depth", k_progressive)
+        .joint = "";
     by_value("max_velocity_T", "Maximum velocity, once in {} years", "Maximum speed that is exceeded once in {} years",
-             "m/s", "velocity", k_even);
+             "m/s", "velocity", k_even)
+        .joint = "";
 }
 
 /// What studies of many runs write.
@@ -338,21 +339,10 @@ const std::vector<ResultRaster>& result_rasters() {
     return k_table;
 }
 
-namespace {
-
-/// "probability_depth_0.5"; a return period follows its row's name at once: "max_depth_T100".
-bool has_value_of(const ResultRaster& row, const std::string& name) {
-    if (!name.starts_with(row.name)) return false;
-    const std::string value = name.substr(row.name.size());
-    return row.name.ends_with("_T") ? number_from_text(value).has_value() : value.starts_with("_");
-}
-
-}  // namespace
-
 const ResultRaster* find_result_raster(const std::string& name) {
     const std::vector<ResultRaster>& all = result_rasters();
     const auto found = std::find_if(all.begin(), all.end(), [&](const ResultRaster& one) {
-        return one.by_value ? has_value_of(one, name) : one.name == name;
+        return one.by_value ? name.starts_with(one.of_value("")) : one.name == name;
     });
     return found == all.end() ? nullptr : &*found;
 }
@@ -360,8 +350,7 @@ const ResultRaster* find_result_raster(const std::string& name) {
 std::string text_for(const ResultRaster& row, const std::string& text, const std::string& name) {
     const auto place = text.find("{}");
     if (!row.by_value || place == std::string::npos) return text;
-    std::string value = name.substr(row.name.size());
-    if (value.starts_with("_")) value.erase(0, 1);
+    std::string value = name.substr(row.of_value("").size());
     if (value.size() == 2 && value.front() == '0') value.erase(0, 1);
     return std::string(text).replace(place, 2, value);
 }

@@ -81,6 +81,7 @@ struct ResultRaster {
     bool is_surface = false;       ///< thickness: a view shows the surface of the flow
     bool has_view = false;         ///< output.maps = on draws a view as well as a map
     bool by_value = false;         ///< one for each value (a threshold, a key), which takes the place of {} in texts
+    const char* joint = "_";       ///< between the name and the value
     bool with_study = false;       ///< of many runs: a map of it is drawn at once; `frana render` draws the others
     bool zero_is_blank = false;    ///< 0 is a value, and nothing is drawn there
     bool is_flow_depth = false;    ///< measured as output.depth says; its description has k_vertical
@@ -92,7 +93,8 @@ struct ResultRaster {
     /// Whether it is in the result's own folder.
     [[nodiscard]] bool in_result() const noexcept { return kind != Kind::frame && command != "converge"; }
     /// "probability_depth_*" where it is by_value, otherwise the name.
-    [[nodiscard]] std::string stem_pattern() const { return by_value ? name + "_*" : name; }
+    [[nodiscard]] std::string stem_pattern() const { return by_value ? of_value("*") : name; }
+    [[nodiscard]] std::string of_value(const std::string& value) const { return name + joint + value; }
 };
 
 const std::vector<ResultRaster>& result_rasters();

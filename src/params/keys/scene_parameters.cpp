@@ -362,7 +362,8 @@ void add_rest(std::vector<Parameter>& list) {
                "End once, over the last quarter of the time since the last release, at least 10 s, run-out has "
                "changed by no more than a third of this fraction or of a cell, the area over "
                "output.trace-threshold by no more than this fraction, the deposit by no more than the error of "
-               "the cells, 2 to 8 times this fraction of the volume; 0: off.")));
+               "the cells, 2 to 8 times this fraction of the volume, and no more than 5 % of the volume still "
+               "moves; 0: off.")));
     list.push_back(number("time.frame-interval", FRANA_MEMBER(time.frame_interval), "s", Range{0, 1e6, true},
                           "Simulated time between frames; each is the first state at or after its time.",
                           "a round number, at most sixty-one frames"));

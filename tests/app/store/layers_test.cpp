@@ -90,7 +90,7 @@ TEST(Layers, EveryRasterIsExplained) {
     for (const ResultRaster& row : result_rasters()) {
         if (!row.in_result()) continue;
         const auto line = std::find_if(lines.begin(), lines.end(), [&](const std::string& one) {
-            return one.starts_with("| `") && one.find("`" + raster_pattern(row) + "`") != std::string::npos;
+            return one.starts_with("| `") && one.find("`" + row.stem_pattern() + ".tif`") != std::string::npos;
         });
         ASSERT_NE(line, lines.end()) << row.name;
         if (!row.unit.empty() && row.unit != "-") {

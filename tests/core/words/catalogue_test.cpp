@@ -78,7 +78,7 @@ const std::set<std::string>& shown_texts() {
         const std::string bytes = catalogue_of_sources();
         std::set<std::string> texts = english_texts(Catalogue(bytes));
         for (const ResultRaster& row : result_rasters())
-            for (const std::string& part : parts_of(text_for(row, row.title, row.name + "_{1}"))) texts.insert(part);
+            for (const std::string& part : parts_of(text_for(row, row.title, row.of_value("{1}")))) texts.insert(part);
         for (const Parameter& key : scene_parameters())
             for (const std::string& text : rows_of(key)) texts.insert(text);
         for (const MaterialPreset& preset : material_presets(FRANA_SOURCE_DIR "/share/materials"))

@@ -377,14 +377,11 @@ void StudyReader::check_columns() {
 void StudyReader::check_keys(const StudySpec& study, const std::string& event) {
     check_scheme(event);
     for (const Variation& one : study.vary) {
-        const bool by_period = one.distribution.law == Law::return_periods;
-        const std::string name = by_period ? "frequency.volumes" : name_in("vary", one.key, event);
+        const std::string name = name_in("vary", one.key, event);
         if (has_seen(name_in("set", one.key, event)))
-            add_problem({by_period ? "decides release.volume, which [set] has too" : "is also set for all members",
-                         where(name), "", "", "Keep it in one of the two sections"});
+            add_problem({"is also set for all members", where(name), "", "", "Keep it in one of [set] and [vary]"});
         if (name != "vary." + one.key && has_seen("vary." + one.key))
-            add_problem({by_period ? "decides release.volume, which [vary] has too" : "is given more than once",
-                         where(name), one.distribution.text, "", "Keep one of the lines"});
+            add_problem({"is given more than once", where(name), one.distribution.text, "", "Keep one of the lines"});
     }
     const bool by_table = study.sampling == Sampling::table,
                has_vary = has_seen_any("vary.") || (!event.empty() && has_seen_any("vary " + event + "."));
@@ -408,7 +405,8 @@ void StudyReader::check_correlations(const StudySpec& study, const std::string& 
             const auto varied = std::find_if(study.vary.begin(), study.vary.end(),
                                              [&](const Variation& vary) { return vary.key == key; });
             const std::string place = where("correlate." + one.first + " " + one.second);
-            const bool tried = has_seen(name_in("vary", key, event));  // its problem is told already
+            const bool tried = has_seen(name_in("vary", key, event)) ||
+                               (key == k_volume_key && has_seen("frequency.volumes"));  // its problem is told already
             if (varied == study.vary.end() && !tried)
                 add_problem({key + " does not vary", place, "", "", "Add it to [vary]"});
             if (varied != study.vary.end() && varied->distribution.is_nominal())
@@ -450,6 +448,10 @@ void StudyReader::check_frequency() {
     if (const SamplingMethod& method = method_of(study_.sampling); method.kind != SamplingMethod::Kind::sample)
         add_problem({"decides how members are drawn, which sampling = " + std::string(method.name) + " does too",
                      where("frequency.volumes"), text, "", "Write sampling = sobol, or keep frequency.rate alone"});
+    for (const std::string section : {"set", "vary"})
+        if (has_seen(section + "." + k_volume_key))
+            return add_problem({"decides release.volume, which [" + section + "] has too", where("frequency.volumes"),
+                                text, "", "Keep it in one of the two sections"});
     Distribution law{Law::return_periods, {}, {}, {}, text};
     for (const FrequencySpec::Volume& one : *volumes) {
         law.numbers.push_back(one.volume);

@@ -110,6 +110,7 @@ std::string text_with_deviation(double value, double deviation) {
 }
 
 constexpr double k_most_rate = 10, k_most_years = 1e6;  // a year; beyond, nobody knows
+constexpr double k_most_deviation = 3;                  // of the rate: a decimal point in the wrong place
 
 StudyKey rate_key() {
     const auto read = [](auto& target, const std::string& text) -> std::optional<ValueProblem> {
@@ -120,8 +121,9 @@ StudyKey rate_key() {
             return ValueProblem{
                 "is more than " + shortest_text(k_most_rate) + " events a year",
                 "Of an event once in " + shortest_text(rate) + " years write " + shortest_text(1 / rate)};
-        if (!(deviation <= k_most_rate))
-            return ValueProblem{"has a standard deviation that is not a number of events a year",
+        if (!(deviation <= k_most_deviation * rate))
+            return ValueProblem{"has a standard deviation that is not a number of events a year, or more than " +
+                                    shortest_text(k_most_deviation) + " times the rate",
                                 "Write for example 0.05 +- 0.02"};
         target = FrequencySpec::Rate{rate, deviation};
         return std::nullopt;

@@ -16,15 +16,15 @@ struct HazardPoint {
     double low = 0, high = 0;  ///< its fractiles of 5 and 95 %
 };
 
-/// A quantity of hazard curves.
+/// A quantity of hazard curves, whose title and unit are those of a raster.
 struct HazardQuantity {
     Quantity quantity;
-    const char *key, *title, *unit;
+    const char *key, *raster;
 };
 inline constexpr HazardQuantity k_hazard_quantities[] = {
-    {Quantity::depth, "max_depth_m", worded("Maximum depth"), "m"},
-    {Quantity::velocity, "max_velocity_ms", worded("Maximum velocity"), "m/s"},
-    {Quantity::pressure, "max_pressure_kpa", worded("Maximum dynamic pressure"), "kPa"}};
+    {Quantity::depth, "max_depth_m", RasterName::max_depth},
+    {Quantity::velocity, "max_velocity_ms", RasterName::max_velocity},
+    {Quantity::pressure, "max_pressure_kpa", RasterName::max_pressure}};
 
 /// The hazard curve of a place.
 struct HazardCurve {

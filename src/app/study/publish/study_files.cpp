@@ -124,8 +124,9 @@ std::optional<render::Chart> hazard_curve_chart(const ChartData& data, const std
     const char* known = "";
     for (const HazardCurve& curve : hazard_curves(data.input, data.result, false)) {
         if (known != curve.quantity.key) {
-            const std::string name = words(curve.quantity.title);
-            panels.push_back({name, with_unit(name, curve.quantity.unit), with_unit(title, "1/a"), {}});
+            const ResultRaster& row = *find_result_raster(curve.quantity.raster);
+            const std::string name = words(row.title);
+            panels.push_back({name, with_unit(name, row.unit), with_unit(title, "1/a"), {}});
             panels.back().y = render::Scale::decades;
             known = curve.quantity.key;
         }
