@@ -5,8 +5,9 @@
 
 namespace frana::bench {
 
-CaseStatistics compare_fields(const Flow::NodalFields& fields, const std::function<ExactState(Point)>& exact,
-                              const std::function<bool(Point)>& inside) {
+CaseStatistics compare_with_exact(TimedFlow& run, const std::function<ExactState(Point)>& exact,
+                                  const std::function<bool(Point)>& inside) {
+    const Flow::NodalFields fields = run.fields();
     const GridSpec& grid = fields.depth.grid;
     double depth = 0, depth2 = 0, exact_depth = 0, exact_depth2 = 0, greatest = 0;
     double momentum = 0, momentum2 = 0, exact_momentum = 0, exact_momentum2 = 0, still = 0, still2 = 0;
@@ -43,12 +44,6 @@ CaseStatistics compare_fields(const Flow::NodalFields& fields, const std::functi
     statistics.l1_momentum = momentum / (exact_momentum > 0 ? exact_momentum : still);
     statistics.l2_momentum = std::sqrt(momentum2 / (exact_momentum2 > 0 ? exact_momentum2 : still2));
     statistics.mean_depth_error = depth / static_cast<double>(cells);
-    return statistics;
-}
-
-CaseStatistics compare_with_exact(TimedFlow& run, const std::function<ExactState(Point)>& exact,
-                                  const std::function<bool(Point)>& inside) {
-    CaseStatistics statistics = compare_fields(run.fields(), exact, inside);
     statistics.particles = run.peak_particles();
     statistics.steps = run.model().steps();
     statistics.wall_seconds = run.seconds();

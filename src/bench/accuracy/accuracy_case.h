@@ -46,16 +46,11 @@ struct AccuracyCase {
     std::vector<double> cell_sizes;  ///< from coarse to fine [m]
     bool rounding = false;           ///< the error is rounding: no order is expected
     std::function<CaseStatistics(double cell_size, Scheme scheme)> run;
-    bool one_scheme = false;  ///< of the structured model, which has no schemes: runs once, as `default`
-    bool flies = false;       ///< needs particles: not by finite volumes
+    bool flies = false;  ///< needs particles: not by finite volumes
 };
 
-/// Compares depth and momentum at the nodes with an exact solution at their positions (local metres), where `inside` is
-/// true. The cost of the run is left zero.
-CaseStatistics compare_fields(const Flow::NodalFields& fields, const std::function<ExactState(Point)>& exact,
-                              const std::function<bool(Point)>& inside = {});
-
-/// The same for a flow, with the cost of its run.
+/// Compares depth and momentum of a flow at the nodes with an exact solution at their positions (local metres), where
+/// `inside` is true; with the cost of its run.
 CaseStatistics compare_with_exact(TimedFlow& run, const std::function<ExactState(Point)>& exact,
                                   const std::function<bool(Point)>& inside = {});
 
@@ -73,7 +68,5 @@ AccuracyCase bingham_slump();
 AccuracyCase sliding_block();
 std::vector<AccuracyCase> steep_ground();
 AccuracyCase conservation();
-std::vector<AccuracyCase> fluid_cases();
-std::vector<AccuracyCase> solid_cases();
 
 }  // namespace frana::bench

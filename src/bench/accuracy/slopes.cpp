@@ -72,7 +72,7 @@ double acceleration(double slope_deg, double friction_deg) {
     return k_gravity * cosine * cosine * (std::tan(slope_deg * k_degree) - std::tan(friction_deg * k_degree));
 }
 
-SlabOutcome slide(double cell_size, Scheme scheme, double slope_deg) {
+SlabOutcome slide_on_plane(double cell_size, Scheme scheme, double slope_deg) {
     constexpr double k_friction_deg = 20, k_time = 4;
     const double a = acceleration(slope_deg, k_friction_deg);
     const Slab slab{slope_deg, dry_friction(k_friction_deg), 0, k_time, 0.5 * a * k_time * k_time, a * k_time};
@@ -96,7 +96,7 @@ CaseStatistics run_sliding(double cell_size, Scheme scheme) {
     CaseStatistics statistics;
     std::vector<CaseStatistic> own;
     for (const double slope_deg : {25.0, 35.0, 45.0}) {
-        const SlabOutcome outcome = slide(cell_size, scheme, slope_deg);
+        const SlabOutcome outcome = slide_on_plane(cell_size, scheme, slope_deg);
         const double exact = 4 * acceleration(slope_deg, 20);
         own.push_back({"speed error on " + std::to_string(std::lround(slope_deg)) + " degrees",
                        outcome.mean_speed / exact - 1, 1e-3});

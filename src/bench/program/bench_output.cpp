@@ -15,7 +15,7 @@
 namespace frana::app {
 namespace {
 
-constexpr Rgb k_default{0, 90, 181}, k_paper{213, 94, 0}, k_volumes{0, 130, 90}, k_peer{90, 90, 90};
+constexpr Rgb k_default{0, 90, 181}, k_paper{213, 94, 0}, k_volumes{0, 130, 90};
 
 render::ChartPanel panel_of(const std::string& title, const std::string& x_label, const std::string& y_label) {
     render::ChartPanel panel{title, x_label, y_label, {}};
@@ -44,24 +44,8 @@ render::ChartSeries series_of(const std::vector<bench::AccuracyRow>& rows, const
         const double error = momentum ? row.statistics.l1_momentum : row.statistics.l1_depth;
         // Zero except for rounding: would only stretch the axis.
         constexpr double k_nothing = 1e-18;
-        // The structured model's cases know the engine's time on its one thread only.
-        const double cpu = row.statistics.cpu_seconds, seconds = cpu > 0 ? cpu : row.statistics.wall_seconds;
-        if (error > k_nothing) series.points.push_back({seconds, error});
+        if (error > k_nothing) series.points.push_back({row.statistics.cpu_seconds, error});
     }
-    return series;
-}
-
-// GeoClaw publishes mean errors in metres; over the exact mean depth they are l1_depth.
-render::ChartSeries geoclaw_of(const std::vector<bench::AccuracyRow>& rows, const std::string& name) {
-    render::ChartSeries series{"GeoClaw, depth, published, its own machine", k_peer, {}};
-    series.marker = render::Marker::triangle;
-    series.stroke = render::Stroke::dashed;
-    const auto row =
-        std::find_if(rows.begin(), rows.end(), [&](const bench::AccuracyRow& one) { return one.case_name == name; });
-    const double mean_depth = row->statistics.mean_depth_error / row->statistics.l1_depth;
-    for (const bench::PeerResult& peer : bench::peer_results())
-        if (peer.case_name == name && peer.code == "GeoClaw, order 2")
-            series.points.push_back({peer.seconds, peer.value / mean_depth});
     return series;
 }
 
@@ -82,8 +66,6 @@ render::Image accuracy_chart(const std::vector<bench::AccuracyRow>& rows) {
         for (const Scheme scheme : bench::k_schemes)
             for (const bool momentum : {false, true})
                 panel.series.push_back(series_of(rows, row.case_name, scheme, momentum));
-        render::ChartSeries peer = geoclaw_of(rows, row.case_name);
-        if (!peer.points.empty()) panel.series.push_back(std::move(peer));
         chart.panels.push_back(std::move(panel));
     }
     chart.across = std::min<int>(5, static_cast<int>(chart.panels.size()));

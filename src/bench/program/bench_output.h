@@ -15,8 +15,8 @@
 
 namespace frana::app {
 
-/// Draws accuracy.png: l1_depth against wall time, logarithmic, a panel for each case, both schemes; on the dam breaks
-/// also GeoClaw's published values. Panels of cases with only rounding errors have a note.
+/// Draws accuracy.png: l1_depth against processor time, logarithmic, a panel for each case, a line for each scheme.
+/// Panels of cases with only rounding errors have a note.
 render::Image accuracy_chart(const std::vector<bench::AccuracyRow>& rows);
 
 /// Draws speed.png: particle-steps per second against particles, a panel for each flow, a line for each number of

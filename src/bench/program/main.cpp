@@ -54,7 +54,7 @@ int bench_accuracy(const boost::program_options::variables_map& values) {
         render::write_png(out->path("accuracy.png"), accuracy_chart(rows));
         out->list();
     }
-    return print_bench(bench::accuracy_table(rows) + bench::accuracy_verdict(rows) + bench::time_to_error_table(rows));
+    return print_bench(bench::accuracy_table(rows));
 }
 
 int bench_stability(const boost::program_options::variables_map& values) {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "bench/set_up/setup.h"
-#include "models/voellmy_bingham/stage_times.h"
 
 namespace frana::bench {
 
@@ -26,13 +25,11 @@ struct SpeedRow {
     int threads = 1;
     double particle_steps_per_second = 0;
     double bytes_per_particle = 0;  ///< of the particles' own fields
-    double bytes_moved = 0;         ///< of particle fields, per particle-step, read and written by the stages
-    /// bytes_moved per second relative to memory_bandwidth with as many threads; traffic of the nodes, and lines read
+    /// bytes_moved() per second relative to memory_bandwidth with as many threads; traffic of the nodes, and lines read
     /// before they are written, are not counted. More than 1 if the particles stay in the caches.
     double fraction_of_memory_bandwidth = 0;
     std::int64_t steps = 0;
     double seconds = 0;
-    voellmy_bingham::StageSeconds stages{};
     bool same_bits = true;  ///< as of the run with one thread
 };
 
@@ -41,11 +38,8 @@ struct SpeedResult {
     std::vector<std::pair<int, double>> bandwidth;  ///< threads, bytes per second
     std::vector<std::string> notes;                 ///< sizes omitted, with the reason
     std::string kernels;                            ///< those that the processor runs
-    /// Greatest difference of depth between the fast kernels and the plain ones after ten steps of `slide` and `mud`,
-    /// over the greatest depth; zero where the processor runs the plain ones.
-    double difference_from_plain = 0;
 
-    /// Whether the fast kernels gave the plain ones' result and all numbers of threads the same bits.
+    /// Whether all numbers of threads gave the same bits.
     [[nodiscard]] bool right() const;
 };
 
@@ -61,7 +55,6 @@ struct SpeedOptions {
 ///   slide    speed_sheet without in-plane stress
 ///   gullies  speed_gullies
 ///   mud      speed_sheet with in-plane stress
-/// and of the structured model's solids, with fluid and every term, at 1e5 particles at most.
 /// Sizes 1e4, 1e5, 1e6, and 1e7 unless `quick` or memory forbids. Each run's depth is compared, bit for bit, with that
 /// of a single thread.
 SpeedResult run_speed(const SpeedOptions& options);
@@ -69,9 +62,8 @@ SpeedResult run_speed(const SpeedOptions& options);
 std::string speed_csv(const SpeedResult& result);
 std::string speed_table(const SpeedResult& result);
 
-/// Returns the bytes of particle fields that a stage reads and writes for one particle; 0 for stages over nodes and for
-/// those that do not run at every step.
-double bytes_moved(voellmy_bingham::Stage stage, bool stress);
+/// Returns the bytes of particle fields that a step reads and writes for one particle.
+double bytes_moved(bool stress);
 
 /// Returns one run in one line.
 std::string speed_line(const SpeedRow& row);

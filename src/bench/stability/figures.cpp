@@ -122,19 +122,6 @@ Soundness watch(TimedFlow& run, const Setup& setup, double end) {
     return s;
 }
 
-void Soundness::merge(const Soundness& other) {
-    non_finite += other.non_finite;
-    volume_error = std::max(volume_error, other.volume_error);
-    speed_ratio = std::max(speed_ratio, other.speed_ratio);
-    energy_rise = std::max(energy_rise, other.energy_rise);
-    above_line = std::max(above_line, other.above_line);
-    courant = std::max(courant, other.courant);
-    last_speed = std::max(last_speed, other.last_speed);
-    particles = std::max(particles, other.particles);
-    steps += other.steps;
-    wall_seconds += other.wall_seconds;
-}
-
 Raster mirrored(Raster raster, bool swaps_west) {
     const auto columns = static_cast<std::ptrdiff_t>(raster.grid.columns);
     std::vector<double> values(raster.values.begin(), raster.values.end());

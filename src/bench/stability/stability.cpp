@@ -153,34 +153,24 @@ const Figure& most_used(const std::vector<Figure>& figures, std::size_t from) {
 
 StabilityRow run_case(const HardCase& one, const Variant& variant, int threads) {
     StabilityRow row{one.name, one.what, variant.word(), false, {}, {}};
-    const auto add_sound = [&](double courant) {
-        const Soundness& s = row.sound;
-        row.figures.push_back({"speed over the highest possible", s.speed_ratio, 1});
-        if (!variant.structured && (one.figures & k_energy))
-            row.figures.push_back({"energy rise, of the work of gravity", s.energy_rise, k_energy_error});
-        row.figures.push_back({"above the energy line, of the fall", s.above_line, k_line_error});
-        row.figures.push_back({"volume error", s.volume_error, k_volume_limit});
-        row.figures.push_back({"non-finite values", static_cast<double>(s.non_finite), 0});
-        if (courant > 0)
-            row.figures.push_back(
-                {"way of a wave in a step, of the Courant number", s.courant / courant, k_courant_limit});
-    };
-    if (one.compare) {
-        row.figures.push_back(one.compare(variant, threads, row.sound));
-        add_sound(0);
-    } else {
-        const Setup setup = set_up(one, variant);
-        TimedFlow run(setup, threads);
-        row.sound = watch(run, setup, one.end);
-        if (one.own) row.figures.push_back(one.own(setup, run));
-        add_sound(courant_number(setup.numerics, setup.material));
-        // Water between grains at rest still flows.
-        const bool grains = setup.structured && setup.structured->solids;
-        if ((one.figures & k_rest) && !grains)
-            row.figures.push_back({"speed at the end [m/s]", row.sound.last_speed, StillWatch::k_crawl});
-        if (one.figures & k_mirror) add_mirror(one, variant, setup, run, threads, row);
-        if (one.figures & k_cells) add_cells(one, variant, setup, run, threads, row);
-    }
+    const Setup setup = set_up(one, variant);
+    TimedFlow run(setup, threads);
+    const Soundness& s = row.sound = watch(run, setup, one.end);
+    if (one.own) row.figures.push_back(one.own(setup, run));
+    row.figures.push_back({"speed over the highest possible", s.speed_ratio, 1});
+    if (!variant.structured && (one.figures & k_energy))
+        row.figures.push_back({"energy rise, of the work of gravity", s.energy_rise, k_energy_error});
+    row.figures.push_back({"above the energy line, of the fall", s.above_line, k_line_error});
+    row.figures.push_back({"volume error", s.volume_error, k_volume_limit});
+    row.figures.push_back({"non-finite values", static_cast<double>(s.non_finite), 0});
+    row.figures.push_back({"way of a wave in a step, of the Courant number",
+                           s.courant / courant_number(setup.numerics, setup.material), k_courant_limit});
+    // Water between grains at rest still flows.
+    const bool grains = setup.structured && setup.structured->solids;
+    if ((one.figures & k_rest) && !grains)
+        row.figures.push_back({"speed at the end [m/s]", s.last_speed, StillWatch::k_crawl});
+    if (one.figures & k_mirror) add_mirror(one, variant, setup, run, threads, row);
+    if (one.figures & k_cells) add_cells(one, variant, setup, run, threads, row);
     row.passed = row.good();
     return row;
 }

@@ -32,9 +32,6 @@ struct Soundness {
     std::int64_t particles = 0;   ///< greatest number
     std::int64_t steps = 0;
     double wall_seconds = 0;
-
-    /// Keeps the worse of two.
-    void merge(const Soundness& other);
 };
 
 /// How a case is computed.
@@ -72,8 +69,6 @@ struct HardCase {
     unsigned variants = k_one_phase;
     unsigned figures = k_usual;
     std::function<Figure(const Setup&, TimedFlow&)> own = {};
-    /// For cases that compare several runs: runs and compares them.
-    std::function<Figure(const Variant&, int threads, Soundness&)> compare = {};
     /// Where material remains, whose volume must not depend on the cells.
     std::function<bool(Point)> trap = {};
 };

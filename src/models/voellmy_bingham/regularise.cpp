@@ -148,14 +148,12 @@ void regularise(Step& now) {
     if (!(report.outside > 0 || stretched || state.drift + moved + shift > k_drift_limit)) return;
     plan_order(state, report.outside > 0, now.pool);
     if (!now.stages.resamples) state.order.apply(state.particles, now.pool);
-    now.watch.ends(Stage::sort);
     if (!now.stages.resamples) return;
     const bool film = now.laws.resample.film_depth > 0;
     if (film) mark_tails(state, now.maxima, now.pool);
     now.report.resampled = resample(state.particles, state.order, now.laws.resample, resting(state),
                                     film ? state.tail.data() : nullptr, now.pool);
     if (now.report.resampled.split > 0) state.drift = k_split_reach;
-    now.watch.ends(Stage::resample);
 }
 
 void leave_and_land(Step& now) {
@@ -180,7 +178,6 @@ void leave_and_land(Step& now) {
     }
     state.order.amend(state.particles, leaving, first);
     cover_ground(state);
-    now.watch.ends(Stage::sort);
 }
 
 }  // namespace frana::voellmy_bingham

@@ -6,7 +6,6 @@
 
 #include "core/default_values.h"
 #include "models/voellmy_bingham/bed_friction.h"
-#include "models/voellmy_bingham/stage_times.h"
 #include "mpm/active_tiles.h"
 #include "mpm/bed_exchange.h"
 #include "mpm/flight.h"
@@ -107,7 +106,6 @@ struct StepReport {
     double aloft = 0;          ///< volume in the air [m3]
     double aloft_kinetic = 0;  ///< its kinetic energy over density [m5/s2]
     std::size_t moved = 0;     ///< particles that were computed; the others are at rest
-    StageSeconds seconds{};    ///< of each stage
 };
 
 }  // namespace frana::voellmy_bingham

@@ -101,7 +101,6 @@ void particles_to_nodes(Step& now) {
         now.stages.particles_to_nodes(tile, state.particles, state.nodes);
     });
     if (now.laws.wall) mirror_sums(state.nodes);
-    now.watch.ends(Stage::particles_to_nodes);
 }
 
 void reference_levels(Step& now) {
@@ -119,7 +118,6 @@ void reference_levels(Step& now) {
     for_node_tiles(state, active.updated(), now.pool,
                    [&](const NodeRange& range) { hold_on_grid(range, now.laws.gravity, now.laws.wall, state.nodes); });
     if (now.laws.wall) mirror_levels(state.nodes);
-    now.watch.ends(Stage::levels);
 }
 
 void forces_to_nodes(Step& now) {
@@ -132,7 +130,6 @@ void forces_to_nodes(Step& now) {
         now.stages.pressure_to_nodes(tile, state.particles, now.laws.gravity, state.nodes);
     });
     if (now.laws.wall) fold_forces(state.nodes);
-    now.watch.ends(Stage::pressure);
 }
 
 void pore_pressure(Step& now) {
@@ -147,7 +144,6 @@ void pore_pressure(Step& now) {
                                           now.stages.follows_bed, state.nodes, state.particles, sums);
     });
     if (now.laws.wall) mirror_scalar(state.nodes, sums);
-    now.watch.ends(Stage::pressure);
 }
 
 void bed_resistance(Step& now) {
@@ -189,7 +185,6 @@ void update_nodes(Step& now) {
     state.nodes.phase = NodePhase::motion;
     active.put_back(state.nodes);
     if (now.laws.wall) mirror_velocities(state.nodes);
-    now.watch.ends(Stage::nodes);
 }
 
 void exchange_with_bed(Step& now) {
@@ -214,7 +209,6 @@ void exchange_with_bed(Step& now) {
                                            state.particles, state.kept.data(), state.lost.data(), reports[t]);
     });
     for (const ExchangeReport& r : reports) state.exchanged.merge(r);
-    now.watch.ends(Stage::nodes);
 }
 
 void nodes_to_particles(Step& now) {
@@ -242,7 +236,6 @@ void nodes_to_particles(Step& now) {
     for (const ParticleTile& tile : tiles)
         now.report.particles.merge(state.particle_reports[static_cast<std::size_t>(tile.tile)]);
     if (now.exchanges()) mix_with_bed(state, laws.exchange.bed, now.pool);
-    now.watch.ends(Stage::nodes_to_particles);
 }
 
 void gather_on_nodes(State& state, const Laws& laws, const Stages& stages, Maxima& maxima, ThreadPool& pool) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stages of a time step (step.h), with their timers, walls, active tiles and reports.
+// The stages of a time step (step.h), with their walls, active tiles and reports.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,6 @@ struct Step {
     double drift = 0;    ///< time over which velocities move the particles [s]
     NodeUpdate nodes{};  ///< from bed_resistance on
     StepReport report;
-    StageWatch watch{report.seconds};
 
     /// Whether material is exchanged with the bed: only while positions move.
     [[nodiscard]] bool exchanges() const noexcept { return stages.exchange_at_nodes != nullptr && drift > 0; }

@@ -19,11 +19,9 @@ TEST(AccuracyCases, IncludeEveryNameOfTheContractAtFourResolutions) {
         EXPECT_GE(one.cell_sizes.size(), 4u) << one.name;
         EXPECT_TRUE(std::is_sorted(one.cell_sizes.rbegin(), one.cell_sizes.rend())) << one.name;
     }
-    for (const char* name :
-         {"lake-z1",     "lake-z2",      "lake-island",    "lake-dtm",      "stoker",        "stoker-weak",
-          "stoker-thin", "ritter",       "ritter-rotated", "radial-wet",    "radial-dry",    "granular-slope",
-          "similarity",  "thacker",      "voellmy-plane",  "bingham-slump", "sliding-block", "conservation",
-          "fluid-lake",  "fluid-stoker", "fluid-ritter",   "fluid-wave",    "fluid-thacker"})
+    for (const char* name : {"lake-z1", "lake-z2", "lake-island", "lake-dtm", "stoker", "stoker-weak", "stoker-thin",
+                             "ritter", "ritter-rotated", "radial-wet", "radial-dry", "granular-slope", "similarity",
+                             "thacker", "voellmy-plane", "bingham-slump", "sliding-block", "conservation"})
         EXPECT_EQ(names.count(name), 1u) << name;
 }
 
@@ -66,23 +64,6 @@ TEST(Accuracy, RunsEverySchemeAtTwoResolutionsWhenQuick) {
                                     [](const CaseStatistic& f) { return f.name == "block speed, relative error"; });
     ASSERT_NE(block, rows[1].statistics.own.end());
     EXPECT_TRUE(block->met()) << block->value;
-}
-
-// The structured model has no schemes: one row per resolution, and second order in smooth flow.
-TEST(Accuracy, FreeFluidConvergesWithSecondOrderInSmoothFlow) {
-    AccuracyOptions options;
-    options.only = {"fluid-wave"};
-    const auto rows = run_accuracy(options);
-    ASSERT_EQ(rows.size(), 5u);
-    for (const AccuracyRow& row : rows) {
-        EXPECT_EQ(row.scheme, Scheme::standard);
-        EXPECT_TRUE(row.statistics.error.empty()) << row.case_name;
-        // Minmod clips the crest of the wave: 1.7 rather than 2 on average.
-        if (row.statistics.cell_size < 1) {
-            EXPECT_GT(row.observed_order, 1.7);
-        }
-    }
-    EXPECT_EQ(accuracy_verdict(rows).find("did not reach"), std::string::npos);
 }
 
 // The measure itself: a flow that starts with the exact state has no error, and one compared with another state has

@@ -15,7 +15,7 @@ TEST(HardCases, AreAtLeastThirtyWithUniqueNames) {
     std::set<std::string> names;
     for (const HardCase& one : cases) {
         EXPECT_TRUE(names.insert(one.name).second) << one.name;
-        EXPECT_TRUE(static_cast<bool>(one.make) != static_cast<bool>(one.compare)) << one.name;
+        EXPECT_TRUE(static_cast<bool>(one.make)) << one.name;
     }
 }
 
