@@ -108,11 +108,7 @@ SavedRun saved(Scene scene) {
 Bytes whole_file() {
     namespace fs = std::filesystem;
     const fs::path path = fs::temp_directory_path() / ("frana_fuzz_" + std::to_string(::getpid()) + ".frana");
-    app::ReservedSpace none(path.string() + ".reserve");
     const SavedRun& run = *saved_run('v');
-    Frame waiting{2, 2, run.scene.terrain, run.scene.terrain, {{"fluid_depth", run.scene.terrain}}, {}};
-    waiting.particles.places = {{1, 2}, {3, 4}};
-    waiting.particles.add("depth_m");
     app::write_checkpoint(path.string(),
                           {app::checkpoint_build(),
                            "terrain.dtm = dtm.asc\n",
@@ -121,11 +117,10 @@ Bytes whole_file() {
                            5,
                            1,
                            {0, 1},
-                           {waiting},
                            {"a line", "another"},
                            OriginCell{1, 2},
                            {{"depth_0000.tif", 3, 4}}},
-                          from_bytes(run.state), none);
+                          from_bytes(run.state));
     Bytes bytes;
     {
         std::ifstream file(path, std::ios::binary);

@@ -326,7 +326,7 @@ int cmd_check(const Arguments& arguments) {
     const std::vector<std::string> set = text_options(*values, "set");
     SceneReading reading = read_scene(file, set, share_directory());
     reading.session = session;
-    find_recorded_inputs(reading, log);
+    warn_of_changed_inputs(reading, log);
     // Whether an existing result may be replaced is checked when the scene is run.
     const auto out = text_option(*values, "out");
     const std::string directory = out.value_or(output_directory(reading.scene));

@@ -58,21 +58,11 @@ std::vector<std::string> files_of(const Pair& pair, const MapStyle& style) {
 /// Checks, before anything is computed, that no input and no file of a result would be overwritten. Throws
 /// Error(input).
 void check_outputs(const Pair& pair, const std::optional<std::string>& deposit) {
-    KeptFiles kept;
     MapStyle any;
     any.formats = picture_formats();
-    if (fs::is_directory(pair.operand)) {
-        const std::string result = ResultReader(pair.operand).directory();
-        kept.add_result(result, comparison_files(result));
-    } else {
-        kept.add(pair.operand);
-    }
-    kept.add(pair.scar.value_or(""));
-    kept.add(deposit.value_or(""));
     Problems problems;
     const std::vector<std::string> files = files_of(pair, any);
-    kept.check(files, "--out", problems);
-    problems.throw_if_any();  // one problem per file
+    refuse_inputs(files, {pair.operand, pair.scar.value_or(""), deposit.value_or("")}, "--out", problems);
     check_own(pair.folder, files, "--out", {pair.operand}, problems);
     problems.throw_if_any();
 }

@@ -399,11 +399,8 @@ std::vector<std::string> files_of(const fs::path& folder) {
 
 fs::path make_convergence_folder(const std::string& name, bool overwrite, const SceneSpec& spec) {
     fs::path folder = fs::absolute(name);
-    KeptFiles kept;
-    for (const std::string& file : input_files(spec)) kept.add(file);
     Problems problems;
-    kept.check(files_of(folder), "--out", problems);
-    problems.throw_if_any();
+    refuse_inputs(files_of(folder), input_files(spec), "--out", problems);
     if (fs::exists(folder / k_study) && !overwrite) {
         throw Error(ErrorKind::input, Problem{"contains a convergence study already", "--out", folder.string(), "",
                                               "Choose another folder, or add --overwrite"});

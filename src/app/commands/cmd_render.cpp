@@ -258,16 +258,20 @@ void log_written(const std::vector<std::string>& files) {
 /// Folder of pictures or an animation, and the files that must not be written to it.
 struct DrawingPlace {
     std::string folder;
-    std::string option;              ///< that specifies it
-    std::vector<std::string> reads;  ///< results that they may be written to
-    bool is_own = false;             ///< of the result itself: no link leads elsewhere
+    std::string option;               ///< that specifies it
+    std::vector<std::string> reads;   ///< results that they may be written to
+    std::vector<std::string> inputs;  ///< other files
+    bool is_own = false;              ///< of the result itself: no link leads elsewhere
 };
 
 /// Prepares a folder for files, before the first is written. Throws Error, with nothing made, if one of them would
 /// replace a file not made by frana or belongs to another result.
-void prepare_place(const DrawingPlace& place, const std::vector<std::string>& files, const KeptFiles& kept,
-                   Problems& problems) {
-    kept.check_pictures(files, place.option, problems);
+void prepare_place(const DrawingPlace& place, const std::vector<std::string>& files, Problems& problems) {
+    refuse_inputs(files, place.inputs, place.option, problems);
+    for (const std::string& file : files)  // a picture never replaces a raster
+        if (file.ends_with(".tif") && fs::is_regular_file(file) && !gis::is_drawn_geotiff(file))
+            problems.add({"exists already and was not drawn by frana", place.option, file, "",
+                          "Choose another folder with --out"});
     problems.throw_if_any();  // one problem per file
     check_own(place.folder, files, place.option, place.reads, problems);
     problems.throw_if_any();
@@ -275,19 +279,17 @@ void prepare_place(const DrawingPlace& place, const std::vector<std::string>& fi
     begin_own(place.folder, files);
 }
 
-void render_animation(const ResultReader& result, const MapSource& source, const Request& request, Size size,
-                      const KeptFiles& kept) {
+void render_animation(const ResultReader& result, const MapSource& source, const Request& request, Size size) {
     const AnimationRequest animation{animation_source(result, source, request.animation_of), request.view_3d, size};
     const fs::path parent = fs::path(*request.animation).parent_path();
     Problems problems;
-    prepare_place({parent.empty() ? "." : parent.string(), "--animation", {result.directory()}}, {*request.animation},
-                  kept, problems);
+    prepare_place({parent.empty() ? "." : parent.string(), "--animation", {result.directory()}, {}},
+                  {*request.animation}, problems);
     write_animation(animation, *request.animation);
     log_written({*request.animation});
 }
 
-void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool view_3d, const DrawingPlace& place,
-          const KeptFiles& kept) {
+void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool view_3d, const DrawingPlace& place) {
     const auto stem = [&](const MapLayer& layer) {
         return (fs::path(place.folder) / (layer.name + (view_3d ? "_3d" : ""))).string();
     };
@@ -295,7 +297,7 @@ void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool vie
     std::vector<std::string> files;
     for (const MapLayer& layer : layers)
         for (const std::string& file : picture_files(source.style, stem(layer), !view_3d)) files.push_back(file);
-    prepare_place(place, files, kept, problems);
+    prepare_place(place, files, problems);
     LayerDrawer drawer(source);
     for (const MapLayer& layer : layers) log_written(drawer.draw(layer, view_3d, stem(layer)));
 }
@@ -358,22 +360,18 @@ void render_result(const Values& values, const Request& request, Problems& probl
                      std::max(source.extent.values.stored_cells(), source.terrain.values.stored_cells()));
     if (!layers.empty() && !request.view_3d)
         refuse_scale_that_does_not_fit(source, layers.front(), values.count("scale") > 0);
-    KeptFiles kept;
-    kept.add_result(result.directory());
-    kept.add(source.style.background);
-    kept.add(source.style.logo);
-    if (request.difference) kept.add_result(ResultReader(*request.difference).directory());
+    const std::vector<std::string> inputs{source.style.background, source.style.logo};
     if (request.animation) {
-        render_animation(result, source, request, animation, kept);
+        render_animation(result, source, request, animation);
     } else if (request.charts) {
         const std::string folder = request.out.value_or(result.path("charts"));
-        prepare_place({folder, "--out", {result.directory()}, !request.out}, chart_files(result, source, folder), kept,
-                      problems);
+        prepare_place({folder, "--out", {result.directory()}, inputs, !request.out},
+                      chart_files(result, source, folder), problems);
         log_written(draw_charts(result, source, folder, problems));
         problems.throw_if_any();
     } else {
         draw(source, layers, request.view_3d,
-             {request.out.value_or(result.path("maps")), "--out", {result.directory()}, !request.out}, kept);
+             {request.out.value_or(result.path("maps")), "--out", {result.directory()}, inputs, !request.out});
     }
 }
 
@@ -399,12 +397,11 @@ void render_raster(const Values& values, const Request& request, Problems& probl
     map.source.title = text_option(values, "title").value_or(map.source.title);
     if (!style.background.empty()) gis::check_picture(style.background, map.layer.values.grid.crs_wkt, "--background");
     if (!request.view_3d) refuse_scale_that_does_not_fit(map.source, map.layer, values.count("scale") > 0);
-    KeptFiles kept;
-    kept.add(style.logo);
-    kept.add(file);
-    kept.add(text_option(values, "dtm").value_or(""));
-    kept.add(style.background);
-    draw(map.source, {std::move(map.layer)}, request.view_3d, {request.out.value_or("."), "--out", {file}}, kept);
+    draw(map.source, {std::move(map.layer)}, request.view_3d,
+         {request.out.value_or("."),
+          "--out",
+          {file},
+          {file, text_option(values, "dtm").value_or(""), style.logo, style.background}});
 }
 
 }  // namespace

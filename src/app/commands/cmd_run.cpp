@@ -126,20 +126,6 @@ void log_resuming(const CheckpointFile& from, RunLog& log) {
     throw Error(error.kind(), problems);
 }
 
-// Adds the frames that the disk could not store before.
-void add_waiting(const CheckpointFile& from, const GridSpec& grid, FrameWriter& frames) {
-    const auto complete = [&](Raster& raster) {
-        StateReader::require(raster.values.size() == static_cast<std::size_t>(grid.cell_count()));
-        raster.grid = grid;
-    };
-    for (Frame frame : from.head().waiting) {
-        complete(frame.depth);
-        complete(frame.velocity);
-        for (NamedRaster& raster : frame.more) complete(raster.values);
-        frames.add(std::move(frame));
-    }
-}
-
 // What a run is computed from.
 struct RunInput {
     const Prepared& prepared;
@@ -246,14 +232,10 @@ int run_into(const RunInput& input, CheckpointFile* from, ResultDirectory& direc
                             input.accuracy ? record_text(*input.accuracy) : "", log);
     ProgressReporter progress(input.quiet, input.json_progress);
     RunOptions options = run_options(input.threads, written_frames, particles, progress, checkpoints, log);
-    if (from != nullptr) {
-        options.saved = &from->state();
-        add_waiting(*from, prepared.scene.grid, frames);
-    }
+    if (from != nullptr) options.saved = &from->state();
     const RunResult result = run(prepared.scene, options);
     progress.finish();
     frames.require_good();
-    checkpoints.release();
     log_run(result, prepared.scene.time.end, log);
     log_dry_gauges(result, prepared.scene, log);
 
@@ -308,7 +290,7 @@ int run_scene(const boost::program_options::variables_map& values, std::string& 
     require_scene(values["operand"].as<std::string>());
     SceneReading reading = read_scene(values["operand"].as<std::string>(), overrides(values), share_directory());
     reading.session = session;
-    find_recorded_inputs(reading, log);
+    warn_of_changed_inputs(reading, log);
     const auto out = text_option(values, "out");
     const std::string place = out.value_or(output_directory(reading.scene));
     target = result_path(place);
@@ -384,7 +366,7 @@ void print_run_document(const std::string& target, int code, RunLog& log) {
     for (const std::string& later : texts_of(log.take_warnings())) document["warnings"].push_back(later);
     document["files"] = Json::array();
     if (manifest)
-        for (const auto& [name, mark] : manifest->files) document["files"].push_back(name);
+        for (const auto& [name, bytes] : manifest->files) document["files"].push_back(name);
     print_document(document);
 }
 

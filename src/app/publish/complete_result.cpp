@@ -53,32 +53,24 @@ std::optional<Comparison> comparison_of(const Prepared& prepared, const std::str
 // Returns the files that only a run writes and that no longer exist; pictures are drawn again.
 std::vector<std::string> missing_files(const Manifest& manifest, const std::string& directory) {
     std::vector<std::string> missing;
-    for (const auto& [name, mark] : manifest.files) {
+    for (const auto& [name, bytes] : manifest.files) {
         const ResultFile* const file = existing_file(name);
-        const bool wanted = file != nullptr && !file->is_drawn() && file->kind != FileKind::working;
+        const bool wanted = bytes && file != nullptr && !file->is_drawn() && file->kind != FileKind::working;
         if (wanted && !fs::exists(fs::path(directory) / name)) missing.push_back(name);
     }
     return missing;
 }
 
-// Whether an existing file differs from the list. A GIS writes to a GeoPackage that it only displays: for such a file
-// only the length is checked.
-bool is_changed(const std::string& path, const FileMark& listed) {
-    std::error_code error;
-    const std::uintmax_t bytes = fs::file_size(path, error);
-    if (error) return true;
-    if (path.ends_with(".gpkg")) return bytes < listed.bytes;
-    return bytes != listed.bytes || mark_of(path) != listed;
-}
-
 // Returns the existing files that differ from those the run wrote; styles may be changed by the user.
 std::vector<std::string> changed_files_of(const Manifest& manifest, const std::string& directory) {
     std::vector<std::string> changed;
-    for (const auto& [name, mark] : manifest.files) {
+    for (const auto& [name, bytes] : manifest.files) {
         const ResultFile* const file = existing_file(name);
         if (file == nullptr || file->kind == FileKind::style || file->kind == FileKind::working) continue;
-        const std::string path = (fs::path(directory) / name).string();
-        if (fs::exists(path) && is_changed(path, mark)) changed.push_back(name);
+        const fs::path path = fs::path(directory) / name;
+        if (!fs::exists(path) || is_as_listed(path.string(), bytes)) continue;
+        // A GIS may have written into a GeoPackage.
+        if (!name.ends_with(".gpkg") || fs::file_size(path) < *bytes) changed.push_back(name);
     }
     return changed;
 }

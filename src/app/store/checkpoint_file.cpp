@@ -19,41 +19,6 @@
 
 namespace frana::app {
 
-bool ReservedSpace::grow(std::uint64_t bytes) {
-    if (bytes <= bytes_) return true;
-    // Without this the results would lack the reserved space, and a run with enough for them would end.
-    std::error_code error;
-    const std::uint64_t free = std::filesystem::space(std::filesystem::path(path_).parent_path(), error).available;
-    if (!error && free < 2 * bytes - bytes_) {
-        errno = ENOSPC;
-        return false;
-    }
-    const int file = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (file < 0) return false;
-    const int refusal = ::posix_fallocate(file, 0, static_cast<off_t>(bytes));
-    // Some file systems keep the part that was allocated.
-    const bool as_before = refusal != 0 && ::ftruncate(file, static_cast<off_t>(bytes_)) == 0;
-    ::close(file);
-    if (refusal == 0) {
-        bytes_ = bytes;
-    } else if (!as_before || bytes_ == 0) {
-        release();
-    }
-    errno = refusal;
-    return refusal == 0;
-}
-
-bool ReservedSpace::become(const std::string& path) {
-    if (bytes_ == 0 || std::rename(path_.c_str(), path.c_str()) != 0) return false;
-    bytes_ = 0;
-    return true;
-}
-
-void ReservedSpace::release() {
-    ::unlink(path_.c_str());
-    bytes_ = 0;
-}
-
 namespace {
 
 constexpr std::array<char, 8> k_magic{'f', 'r', 'a', 'n', 'a', ' ', 'c', 'k'};
@@ -61,69 +26,6 @@ constexpr std::uint32_t k_byte_order = 0x01020304, k_other_order = 0x04030201;
 constexpr std::size_t k_start_bytes = k_magic.size() + 2 * sizeof(std::uint32_t) + sizeof(std::uint64_t);
 constexpr std::size_t k_sum_bytes = sizeof(std::uint32_t);
 constexpr std::size_t k_buffer = 1 << 20;
-
-// In the precision of the frames' files.
-template <class Archive>
-void serialise_values(Archive& archive, Raster& raster) {
-    std::int64_t rows = raster.grid.rows, columns = raster.grid.columns;
-    bool tiled = raster.values.is_tiled();
-    archive(rows, columns, tiled);
-    std::vector<float> values;
-    if (!tiled) {
-        if constexpr (!Archive::k_reads) values.assign(raster.values.begin(), raster.values.end());
-        archive(values);
-        if constexpr (Archive::k_reads) raster.values.assign(values.begin(), values.end());
-        return;
-    }
-    // Only the stored values of a large map.
-    std::vector<std::uint64_t> firsts, counts;
-    if constexpr (!Archive::k_reads) {
-        raster.values.for_each_run([&](std::size_t first, const double* run, std::size_t count) {
-            firsts.push_back(first);
-            counts.push_back(count);
-            values.insert(values.end(), run, run + count);
-        });
-    }
-    archive(firsts, counts, values);
-    if constexpr (Archive::k_reads) {
-        constexpr std::int64_t k_most_side = 10'000'000, k_most_cells = 100'000'000'000;
-        archive.require(rows > 0 && columns > 0 && rows <= k_most_side && columns <= k_most_side &&
-                        rows * columns <= k_most_cells && firsts.size() == counts.size());
-        raster.values = CellValues::tiled(rows, columns, k_no_data);
-        std::size_t next = 0;
-        for (std::size_t run = 0; run < firsts.size(); ++run) {
-            archive.require(counts[run] <= values.size() - next && firsts[run] <= raster.values.size() &&
-                            counts[run] <= raster.values.size() - firsts[run]);
-            for (std::uint64_t k = 0; k < counts[run]; ++k) raster.values[firsts[run] + k] = values[next++];
-        }
-    }
-}
-
-template <class Archive>
-void serialise_points(Archive& archive, PointTable& table) {
-    auto& [places, columns] = table;
-    places.resize(transfer_count(archive, places.size(), sizeof(Point)));
-    for (Point& place : places) archive(place.x, place.y);
-    columns.resize(transfer_count(archive, columns.size(), sizeof(std::uint64_t)));
-    for (auto& [name, values] : columns) {
-        archive(name, values);
-        if constexpr (Archive::k_reads) archive.require(values.size() == places.size());
-    }
-}
-
-template <class Archive>
-void serialise_frame(Archive& archive, Frame& frame) {
-    auto& [index, time, depth, velocity, more, particles] = frame;
-    archive(index, time);
-    serialise_values(archive, depth);
-    serialise_values(archive, velocity);
-    more.resize(transfer_count(archive, more.size(), sizeof(std::uint64_t)));
-    for (auto& [name, values] : more) {
-        archive(name);
-        serialise_values(archive, values);
-    }
-    serialise_points(archive, particles);
-}
 
 template <class Archive>
 void serialise_records(Archive& archive, std::vector<FrameRecord>& records) {
@@ -133,15 +35,11 @@ void serialise_records(Archive& archive, std::vector<FrameRecord>& records) {
 
 template <class Archive>
 void serialise(Archive& archive, CheckpointHead& head) {
-    auto& [build, scene, step, time, end, wall_seconds, frame_times, waiting, log, origin, frame_records, accuracy] =
-        head;
+    auto& [build, scene, step, time, end, wall_seconds, frame_times, log, origin, frame_records, accuracy] = head;
     if (!origin) origin.emplace();
     archive(origin->column, origin->row);
     serialise_records(archive, frame_records);
-    archive(build, scene, step, time, end, wall_seconds, frame_times);
-    waiting.resize(transfer_count(archive, waiting.size(), sizeof(std::uint64_t)));
-    for (Frame& frame : waiting) serialise_frame(archive, frame);
-    archive(log, accuracy);
+    archive(build, scene, step, time, end, wall_seconds, frame_times, log, accuracy);
 }
 
 [[noreturn]] void fail(const std::string& path, int reason) {
@@ -158,9 +56,7 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 // Writes through a buffer and computes the checksum.
 class SummedOutput {
   public:
-    /// @param over an existing file
-    SummedOutput(const std::string& path, bool over)
-        : path_(path), file_(std::fopen(path.c_str(), over ? "r+b" : "wb"), &std::fclose) {
+    explicit SummedOutput(const std::string& path) : path_(path), file_(std::fopen(path.c_str(), "wb"), &std::fclose) {
         if (!file_) fail(path_, errno);
         std::setvbuf(file_.get(), nullptr, _IOFBF, k_buffer);
     }
@@ -186,10 +82,7 @@ class SummedOutput {
         if (std::fwrite(&sum, 1, sizeof sum, file_.get()) != sizeof sum) fail(path_, errno);
         start(written_);
         const std::uint64_t size = k_start_bytes + written_ + k_sum_bytes;
-        const int descriptor = ::fileno(file_.get());
-        if (std::fflush(file_.get()) != 0 || ::ftruncate(descriptor, static_cast<off_t>(size)) != 0 ||
-            ::fsync(descriptor) != 0)
-            fail(path_, errno);
+        if (std::fflush(file_.get()) != 0 || ::fsync(::fileno(file_.get())) != 0) fail(path_, errno);
         if (std::fclose(file_.release()) != 0) fail(path_, errno);
         return size;
     }
@@ -252,10 +145,9 @@ std::string checkpoint_build() {
            (vector_kernels() != nullptr ? "vector instructions" : "plain instructions");
 }
 
-std::uint64_t write_checkpoint(const std::string& path, CheckpointHead head, const SaveState& state,
-                               ReservedSpace& space) {
+std::uint64_t write_checkpoint(const std::string& path, CheckpointHead head, const SaveState& state) {
     FileAside aside(path, FileAside::Kind::named);
-    SummedOutput file(aside.partial_path(), space.become(aside.partial_path()));
+    SummedOutput file(aside.partial_path());
     file.start(0);
     StateWriter writer([&](const void* data, std::size_t count) { file.write(data, count); });
     serialise(writer, head);
@@ -264,14 +156,6 @@ std::uint64_t write_checkpoint(const std::string& path, CheckpointHead head, con
     aside.rename_into_place();
     sync_path(std::filesystem::path(path).parent_path().string());  // the new name too
     return size;
-}
-
-std::uint64_t checkpoint_bytes(CheckpointHead head, const SaveState& state) {
-    std::uint64_t count = k_start_bytes + k_sum_bytes;
-    StateWriter writer([&](const void*, std::size_t more) { count += more; });
-    serialise(writer, head);
-    state(writer);
-    return count;
 }
 
 struct CheckpointFile::Open {

@@ -13,31 +13,9 @@
 
 namespace frana::app {
 
-/// Space on a disk, reserved while available, for a file that must be written when there is none: a file of that size
-/// with allocated blocks, which is overwritten under another name. Released by the destructor.
-class ReservedSpace {
-  public:
-    explicit ReservedSpace(std::string path) : path_(std::move(path)) {}
-    ~ReservedSpace() { release(); }
-    ReservedSpace(const ReservedSpace&) = delete;
-    ReservedSpace& operator=(const ReservedSpace&) = delete;
-
-    [[nodiscard]] std::uint64_t bytes() const noexcept { return bytes_; }
-    /// Enlarges it to at least this size; if there is no space, or not the same amount again for the results, it is
-    /// unchanged and false is returned, with errno.
-    bool grow(std::uint64_t bytes);
-    /// Renames it to `path`, with its size, to be overwritten; false: there is none.
-    bool become(const std::string& path);
-    void release();
-
-  private:
-    std::string path_;
-    std::uint64_t bytes_ = 0;
-};
-
 /// Format of checkpoint files: increases with every change of the output of any serialise or of its use by a step. No
 /// other format is read: a run begun by an older frana would not end with the same bits.
-inline constexpr std::uint32_t k_checkpoint_format = 17;
+inline constexpr std::uint32_t k_checkpoint_format = 18;
 
 /// Description in a checkpoint of its run.
 struct CheckpointHead {
@@ -47,7 +25,6 @@ struct CheckpointHead {
     double time = 0, end = 0;                ///< simulated [s]
     double wall_seconds = 0;                 ///< of all sessions so far
     std::vector<double> frame_times;         ///< of the frames on the disk [s]
-    std::vector<Frame> waiting;              ///< later frames, which the disk could not store; without their grid
     std::vector<std::string> log;            ///< lines so far
     std::optional<OriginCell> origin;        ///< cell of its local origin; none: as set by place_origin
     std::vector<FrameRecord> frame_records;  ///< of the files of frame_times
@@ -61,14 +38,9 @@ std::string checkpoint_build();
 ///
 ///     8 bytes "frana ck", mark of byte order, format, size of the rest | head | state | CRC-32 of all before
 ///
-/// @param space reserved for the file, if any; then only what it lacks is allocated
 /// @return bytes of the file
 /// Throws Error(environment).
-std::uint64_t write_checkpoint(const std::string& path, CheckpointHead head, const SaveState& state,
-                               ReservedSpace& space);
-
-/// Returns the number of bytes that write_checkpoint would write.
-std::uint64_t checkpoint_bytes(CheckpointHead head, const SaveState& state);
+std::uint64_t write_checkpoint(const std::string& path, CheckpointHead head, const SaveState& state);
 
 /// An open checkpoint whose every byte has been checked.
 class CheckpointFile {

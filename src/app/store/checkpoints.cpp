@@ -58,15 +58,10 @@ Checkpoints::Checkpoints(std::string directory, double interval, const Prepared&
       since_start_(since_start),
       earlier_(earlier),
       accuracy_(std::move(accuracy)),
-      log_(log),
-      space_((fs::path(folder_) / "reserve").string()) {}
+      log_(log) {}
 
 void Checkpoints::after_step(const Progress& now, const SaveState& state) {
-    if (now.last || (interval_ > 0 && since_last_.seconds() >= interval_)) {
-        save(now, state);
-    } else if (interval_ > 0 && session_.seconds() >= next_check_) {
-        reserve_space(now, state);
-    }
+    if (now.last || (interval_ > 0 && since_last_.seconds() >= interval_)) save(now, state);
 }
 
 CheckpointHead Checkpoints::head(const Progress& now) {
@@ -79,7 +74,6 @@ CheckpointHead Checkpoints::head(const Progress& now) {
             now.end,
             earlier_ + since_start_.seconds(),
             {},
-            {},
             log_.lines(),
             OriginCell{grid.origin_column, grid.origin_row},
             {},
@@ -87,20 +81,22 @@ CheckpointHead Checkpoints::head(const Progress& now) {
 }
 
 void Checkpoints::save(const Progress& now, const SaveState& state) {
+    if (frames_ != nullptr && !frames_->settle()) return;  // the run ends with the frames' own problem
     const Stopwatch watch;
-    const auto warn = [&](const Error& error) { warn_once(error); };
-    attempt(warn, [&] {
+    const auto warn_once = [&](const Error& error) {
+        if (error.kind() != ErrorKind::environment) throw error;
+        if (!std::exchange(warned_, true)) log_.warn(std::string(error.what()));
+    };
+    attempt(warn_once, [&] {
         make_folder(folder_);
         log_.note("checkpoint at " + number_text(now.time, 6) + " s, step " + std::to_string(now.step));
         CheckpointHead described = head(now);
         if (frames_ != nullptr) {
-            described.waiting = frames_->settle();
             described.frame_times = frames_->times();
-            described.frame_times.resize(described.frame_times.size() - described.waiting.size());
             described.frame_records = frames_->records();
         }
         const std::string path = (fs::path(folder_) / file_name(now.step)).string();
-        const std::uint64_t bytes = write_checkpoint(path, std::move(described), state, space_);
+        const std::uint64_t bytes = write_checkpoint(path, std::move(described), state);
         log_.note("checkpoint of " + number_text(static_cast<double>(bytes) / 1e6, 3) + " MB written in " +
                   number_text(watch.seconds(), 2) + " s");
         const std::vector<std::string> all = checkpoints_in(directory_);
@@ -108,34 +104,6 @@ void Checkpoints::save(const Progress& now, const SaveState& state) {
         for (std::size_t i = k_checkpoints_kept; i < all.size(); ++i) fs::remove(all[i], ignored);
     });
     since_last_ = Stopwatch();
-    next_check_ = 0;
-}
-
-// Checks are made at growing intervals, before the flow can have grown by half since the last one; all together cost
-// almost nothing.
-void Checkpoints::reserve_space(const Progress& now, const SaveState& state) {
-    constexpr double k_growth = 1.5, k_fraction_of_time = 0.2, k_longest = 10, k_times_cost = 50;
-    constexpr std::uint64_t k_least = 1'000'000;
-    const double begun = session_.seconds();
-    const auto warn = [&](const Error& error) { warn_once(error); };
-    attempt(warn, [&] {
-        make_folder(folder_);
-        const std::uint64_t needed =
-            checkpoint_bytes(head(now), state) + (frames_ != nullptr ? frames_->most_bytes_waiting() : 0);
-        const auto wanted = static_cast<std::uint64_t>(k_growth * static_cast<double>(needed)) + k_least;
-        if (space_.bytes() < needed + needed / 4 && !space_.grow(wanted) && !space_.grow(needed))
-            throw Error(ErrorKind::environment,
-                        Problem{"the disk has not enough free space for a checkpoint of " +
-                                    number_text(static_cast<double>(needed) / 1e6, 3) + " MB",
-                                folder_, std::strerror(errno), "", "Free some space: the run continues meanwhile"});
-    });
-    const double ended = session_.seconds();
-    next_check_ = ended + std::max(k_times_cost * (ended - begun), std::min(k_longest, k_fraction_of_time * ended));
-}
-
-void Checkpoints::warn_once(const Error& error) {
-    if (error.kind() != ErrorKind::environment) throw error;
-    if (!std::exchange(warned_, true)) log_.warn(std::string(error.what()));
 }
 
 }  // namespace frana::app

@@ -20,8 +20,7 @@ inline constexpr const char* k_checkpoint_folder = "checkpoint";
 /// read.
 std::vector<std::string> checkpoints_in(const std::string& directory);
 
-/// Writes the checkpoints of a run: step_NNN.frana, the last two kept. The disk space for the next one is reserved in
-/// advance and grows with the flow, so that the current state can be saved on a full disk.
+/// Writes the checkpoints of a run: step_NNN.frana, the last two kept.
 class Checkpoints {
   public:
     /// @param interval wall time between two [s]; 0: only at the end
@@ -34,14 +33,10 @@ class Checkpoints {
     /// Writes a checkpoint when it is due and at the run's last step. If one cannot be written, there is a warning and
     /// the run continues.
     void after_step(const Progress& now, const SaveState& state);
-    /// Releases the reserved space.
-    void release() { space_.release(); }
 
   private:
     [[nodiscard]] CheckpointHead head(const Progress& now);
     void save(const Progress& now, const SaveState& state);
-    void reserve_space(const Progress& now, const SaveState& state);
-    void warn_once(const Error& error);
 
     std::string directory_, folder_;
     double interval_;
@@ -52,9 +47,7 @@ class Checkpoints {
     std::string accuracy_;
     RunLog& log_;
     std::string identity_;  ///< computed when first needed, from all data
-    Stopwatch since_last_, session_;
-    ReservedSpace space_;
-    double next_check_ = 0;  ///< next check of the size of a checkpoint, in session_ [s]
+    Stopwatch since_last_;
     bool warned_ = false;
 };
 

@@ -128,14 +128,6 @@ const Raster& raster_of(const Frame& frame, const std::string& what) {
         ->values;
 }
 
-// As in a checkpoint: rasters in single precision, points in double.
-std::uint64_t bytes_of(const Frame& frame) {
-    constexpr std::uint64_t k_names = 1000;
-    const std::uint64_t rasters = 2 + frame.more.size(), columns = 2 + frame.particles.columns.size();
-    return k_names + rasters * static_cast<std::uint64_t>(frame.depth.values.stored_cells()) * sizeof(float) +
-           columns * frame.particles.places.size() * sizeof(double);
-}
-
 }  // namespace
 
 FrameWriter::FrameWriter(std::string folder, std::map<std::string, std::string> metadata, bool particles,
@@ -144,7 +136,6 @@ FrameWriter::FrameWriter(std::string folder, std::map<std::string, std::string> 
       metadata_(std::move(metadata)),
       particles_(particles),
       times_(std::move(times)),
-      settled_(times_.size()),
       records_(std::move(records)),
       thread_([this] { serve(); }) {}
 
@@ -162,7 +153,6 @@ void FrameWriter::add(Frame frame) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return error_ || waiting_.size() < k_most_waiting; });
     const double time = frame.time;
-    largest_ = std::max(largest_, bytes_of(frame));
     waiting_.push_back({times_.size(), std::move(frame)});
     times_.push_back(time);
     lock.unlock();
@@ -233,36 +223,20 @@ void FrameWriter::require_good() {
     if (error_) std::rethrow_exception(error_);
 }
 
-void FrameWriter::wait_until_written(std::unique_lock<std::mutex>& lock) {
-    changed_.wait(lock, [&] { return error_ || waiting_.empty(); });
-}
-
 std::vector<FrameRecord> FrameWriter::records() const {
     const std::lock_guard lock(mutex_);
     return records_;
 }
 
-std::uint64_t FrameWriter::most_bytes_waiting() const {
-    return (k_most_waiting + 1) * largest_;
-}
-
-std::vector<Frame> FrameWriter::settle() {
+bool FrameWriter::settle() {
     std::unique_lock lock(mutex_);
-    wait_until_written(lock);
-    std::vector<Frame> left;
-    for (const Job& job : waiting_) left.push_back(job.frame);
-    if (settled_ + left.size() == times_.size()) return left;
-    sync_path(folder_);  // each file is on the disk before it is renamed
-    settled_ = times_.size() - left.size();
-    return left;
+    changed_.wait(lock, [&] { return error_ || waiting_.empty(); });
+    if (!error_) sync_path(folder_);  // each file is on the disk before it is renamed
+    return !error_;
 }
 
 void FrameWriter::finish() {
-    {
-        std::unique_lock lock(mutex_);
-        wait_until_written(lock);
-    }
-    require_good();
+    if (!settle()) require_good();
     list(times_);
 }
 

@@ -58,8 +58,8 @@ std::string frame_problem(const std::string& folder, const std::vector<FrameReco
 
 /// Frames as files: FOLDER/depth_0000.tif, velocity_0000.tif, those of Frame::more, particles, and frames.csv (index,
 /// time_s). A separate thread writes them while the run continues, and lists the complete ones after each; at most two
-/// wait, so that a slow disk delays the run instead of filling the memory. After a frame that cannot be written, it and
-/// all later ones are kept in memory: the run must stop and save them.
+/// wait, so that a slow disk delays the run instead of filling the memory. After a frame that cannot be written none
+/// is: the run must stop.
 class FrameWriter {
   public:
     /// `metadata` is written to every raster.
@@ -75,12 +75,10 @@ class FrameWriter {
     void add(Frame frame);
     /// Whether a frame could not be written.
     [[nodiscard]] bool failed() const noexcept { return failed_; }
-    /// Waits until every frame so far is on the disk or has failed; returns the failed ones.
-    [[nodiscard]] std::vector<Frame> settle();
+    /// Waits until every frame so far is on the disk; false: one could not be written.
+    [[nodiscard]] bool settle();
     /// The files of all frames on the disk.
     [[nodiscard]] std::vector<FrameRecord> records() const;
-    /// Greatest size in a checkpoint of the frames that settle() may return [bytes].
-    [[nodiscard]] std::uint64_t most_bytes_waiting() const;
     /// Throws Error(environment) if a frame could not be written.
     void require_good();
     /// Waits for the last frame and lists all, including those that existed before. Throws Error(environment).
@@ -102,7 +100,6 @@ class FrameWriter {
 
     [[nodiscard]] std::vector<FrameRecord> write(const Job& job) const;
     void write(const FrameFile& file, const Job& job) const;
-    void wait_until_written(std::unique_lock<std::mutex>& lock);
     void list(const std::vector<double>& times) const;
     void serve();
 
@@ -110,7 +107,6 @@ class FrameWriter {
     std::map<std::string, std::string> metadata_;
     bool particles_;
     std::vector<double> times_;
-    std::size_t settled_;  // frames known to be on the disk
     std::vector<FrameRecord> records_;
     double seconds_ = 0;
     mutable std::mutex mutex_;
@@ -118,7 +114,6 @@ class FrameWriter {
     std::deque<Job> waiting_;   // the first is being written
     std::exception_ptr error_;  // the first; no frame is written after it
     std::atomic<bool> failed_ = false;
-    std::uint64_t largest_ = 0;  // of the frames so far [bytes]
     bool closed_ = false;
     std::thread thread_;
 };

@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -21,11 +20,6 @@
 #include "app/text/version.h"
 #include "core/error.h"
 #include "core/files.h"
-#include "gis/raster/picture_file.h"
-#include "params/grammar/ini_file.h"
-#include "params/grammar/value_text.h"
-#include "params/keys/parameter.h"
-#include "params/keys/scene_parameters.h"
 
 namespace frana::app {
 namespace {
@@ -79,7 +73,7 @@ class OwnFiles {
         const fs::path path = fs::path(folder_) / name;
         std::error_code error;
         if (!fs::is_regular_file(fs::symlink_status(path, error))) return false;
-        if (is_list_or_note(name) || is_leftover(name) || (list_ && list_->in_making.count(name) > 0)) return true;
+        if (is_list_or_note(name) || is_leftover(name)) return true;
         if (knows(name)) return !list_ || is_as_listed(path.string(), list_->files.at(name));
         for (const std::string ending : {".aux.xml", "-shm", "-wal", "~"})
             if (name.ends_with(ending) && knows(name.substr(0, name.size() - ending.size())))
@@ -120,7 +114,9 @@ bool is_being_replaced(const std::string& folder) {
 
 FolderLock::FolderLock(const std::string& folder, bool wait)
     : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    if (descriptor_ >= 0 && ::flock(descriptor_, wait ? LOCK_EX : LOCK_EX | LOCK_NB) == 0) return;
+    int refused = descriptor_ < 0 ? -1 : ::flock(descriptor_, wait ? LOCK_EX : LOCK_EX | LOCK_NB);
+    while (refused != 0 && wait && errno == EINTR) refused = ::flock(descriptor_, LOCK_EX);
+    if (refused == 0) return;
     reason_ = errno;
     release();
 }
@@ -203,26 +199,6 @@ void remove_partial(const std::string& result, RunLog& log) {
         log.warn(worded("older result not removed: {1}; the rest is in {2}", {error.message(), partial}));
 }
 
-namespace {
-
-namespace fs = std::filesystem;
-
-std::optional<std::pair<std::uint64_t, std::uint64_t>> place_of(const std::string& path) {
-    struct stat found {};
-    if (::stat(path.c_str(), &found) != 0 || !S_ISREG(found.st_mode)) return std::nullopt;
-    return std::pair{static_cast<std::uint64_t>(found.st_dev), static_cast<std::uint64_t>(found.st_ino)};
-}
-
-bool is_drawn(const fs::path& file, const fs::path& folder) {
-    if (const ResultFile* known = existing_file(file.lexically_relative(folder).generic_string()))
-        return known->is_drawn();
-    // Drawn to folders chosen by the user.
-    const std::array<std::string, 5> pictures{".png", ".pdf", ".svg", ".mp4", ".gif"};
-    return std::find(pictures.begin(), pictures.end(), file.extension().string()) != pictures.end();
-}
-
-}  // namespace
-
 std::vector<std::string> spellings(const std::string& source) {
     std::vector<std::string> all{source, source.substr(0, source.find('|'))};
     for (std::size_t from = 0; from < source.size();) {
@@ -242,56 +218,21 @@ std::vector<std::string> spellings(const std::string& source) {
     return all;
 }
 
-void KeptFiles::add(const std::string& source) {
-    for (const std::string& path : spellings(source))
-        if (const auto place = place_of(path)) files_.insert(*place);
-}
-
-void KeptFiles::add_result(const std::string& folder, const std::vector<std::string>& but) {
-    std::error_code error;
-    const auto is_rewritten = [&](const fs::path& path) {
-        return std::any_of(but.begin(), but.end(), [&](const std::string& one) {
-            return fs::path(one).lexically_normal() == path.lexically_normal();
-        });
-    };
-    for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-        const auto place = place_of(entry->path().string());
-        if (place && !is_drawn(entry->path(), folder) && !is_rewritten(entry->path())) files_.insert(*place);
-    }
-    const fs::path scene = fs::path(folder) / k_scene_file;
-    if (!fs::exists(scene, error)) return;
-    static const std::vector<Parameter>& k_keys = scene_parameters();
-    const std::string here = fs::absolute(folder).string();
-    for (const IniEntry& entry : read_ini(scene.string())) {
-        const Parameter* const key = find_parameter(k_keys, present_name(entry.name));
-        SceneSpec spec;
-        if (key == nullptr || !key->reads_files() || key->read(spec, entry.value)) continue;
-        key->map_files(spec, [&](const std::string& path) {
-            add(absolute_path(path, here));
-            return path;
-        });
-    }
-}
-
-bool KeptFiles::has(const std::string& path) const {
-    const auto place = place_of(path);
-    return place && files_.count(*place) > 0;
-}
-
-void KeptFiles::check(const std::vector<std::string>& outputs, const Place& where, Problems& problems) const {
-    for (const std::string& path : outputs)
-        if (has(path))
-            problems.add({"would be overwritten: it is an input or belongs to a result", where, path, "",
-                          "Choose another folder with --out"});
-}
-
-void KeptFiles::check_pictures(const std::vector<std::string>& outputs, const Place& where, Problems& problems) const {
-    check(outputs, where, problems);
-    for (const std::string& path : outputs) {
-        if (path.ends_with(".tif") && place_of(path) && !has(path) && !gis::is_drawn_geotiff(path))
+void refuse_inputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs, const Place& where,
+                   Problems& problems) {
+    std::vector<std::string> places;
+    for (const std::string& input : inputs)
+        for (std::string& place : spellings(input)) places.push_back(std::move(place));
+    for (const std::string& output : outputs) {
+        const auto is_it = [&](const std::string& place) {
+            std::error_code error;
+            return fs::equivalent(place, output, error) && !error;
+        };
+        if (std::any_of(places.begin(), places.end(), is_it))
             problems.add(
-                {"exists already and was not drawn by frana", where, path, "", "Choose another folder with --out"});
+                {"would be overwritten: it is an input", where, output, "", "Choose another folder with --out"});
     }
+    problems.throw_if_any();
 }
 
 namespace {
@@ -299,7 +240,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool lists_files(const fs::path& folder) {
-    return is_listed_result(folder.string());
+    return read_manifest(folder.string()).has_value();
 }
 
 // Whether it is of a run, complete or unfinished; comparisons and studies list their files too, but belong to no scene.

@@ -18,28 +18,14 @@ std::string recorded_inputs(const Prepared& prepared);
 /// The same of a result in `folder` (empty: not known yet) for other files, each once.
 std::string recorded_inputs(const std::vector<NamedFile>& files, const std::string& folder);
 
-/// For a scene file of a result, which may have been moved: compares its inputs with inputs.json beside it, or of the
-/// study whose member it is. A file
-/// that is missing is taken from its place at the time if that has the same content; another content is warned of. A
-/// key that the command line sets is not compared. Throws Error(input) with every file that is missing, its key,
-/// checksum and the places where it was sought.
-void find_recorded_inputs(SceneReading& reading, RunLog& log);
-/// A text that names inputs: a scene, a study.
-struct NamingText {
-    /// Maps the path that a key names to another.
-    using FileMap = std::function<std::string(const std::string& key, const std::string& path)>;
-
-    std::function<void(const FileMap&)> map_files;             ///< replaces each file by what the map returns
-    std::function<std::string(const std::string& key)> where;  ///< for messages
-    std::function<bool(const std::string& key)> is_replaced;   ///< by the command line
-    bool is_study = false;                                     ///< no key of it can be set on the command line
-    bool warns_only = false;                                   ///< files are missed elsewhere
-};
-
-/// The same for any text in a result's folder.
-void find_recorded_files(const NamingText& text, const std::string& folder, RunLog& log);
-
-/// Warns of files named by the scene of a study whose content is not that recorded beside the study file.
+/// Warns of those of the files whose content is not that recorded in inputs.json of a result's folder, which may have
+/// been moved with them: what is computed from them is not that result.
+/// @param where names a key in messages
+void warn_of_changed_inputs(const std::vector<NamedFile>& files, const std::string& folder,
+                            const std::function<std::string(const std::string& key)>& where, RunLog& log);
+/// The same for a scene file of a result, or of a member of a study's, without the keys that the command line sets.
+void warn_of_changed_inputs(const SceneReading& reading, RunLog& log);
+/// The same for the scene of a study.
 void warn_of_changed_inputs(const std::string& study_file, const SceneReading& scene, RunLog& log);
 
 }  // namespace frana::app

@@ -217,7 +217,7 @@ void list_files(const fs::path& result, const fs::path& folder, Manifest& manife
         if (file_in_making(name))
             fs::remove(entry.path(), ignored);
         else
-            manifest.files[name] = mark_on_disk(entry.path().string());
+            manifest.files[name] = size_on_disk(entry.path().string());
     }
     sync_path(folder.string());
 }
@@ -341,7 +341,7 @@ void remove_working_files(const std::string& result, bool frames, RunLog& log) {
     std::error_code error, ignored;
     for (const std::string& folder : folders) {
         std::set<fs::path> inner;  // of a calibration: the records of each event
-        for (const auto& [name, mark] : manifest->files) {
+        for (const auto& [name, bytes] : manifest->files) {
             if (!name.starts_with(folder + "/")) continue;
             for (fs::path parent = fs::path(name).parent_path(); parent != folder; parent = parent.parent_path())
                 inner.insert(parent);

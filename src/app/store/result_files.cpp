@@ -99,7 +99,7 @@ std::vector<ResultFile> make_table() {
     Table table;
     table.by("run");
     table.add(FileKind::text, {k_scene_file, k_inputs_file, k_summary_file, k_log_file, k_manifest_file});
-    table.add(FileKind::working, {k_building_file, k_replaced_file, "checkpoint/step_*.frana", "checkpoint/reserve",
+    table.add(FileKind::working, {k_building_file, k_replaced_file, "checkpoint/step_*.frana",
                                   std::string(k_page_folder) + "/*.png", std::string(k_page_folder) + "/*.svg"});
     for (const std::string folder : {k_whole_frames, k_cut_frames}) {
         for (const char* ending : {".tif", ".gpkg"})

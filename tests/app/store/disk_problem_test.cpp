@@ -11,7 +11,6 @@
 #include <optional>
 #include <thread>
 
-#include "app/store/checkpoint_file.h"
 #include "resuming.h"
 
 namespace frana::test {
@@ -32,14 +31,6 @@ class SmallDisk : public Resuming {
         if (mounted_) ::umount2(disk().c_str(), MNT_DETACH);
     }
     [[nodiscard]] std::string disk() const { return path("disk"); }
-    [[nodiscard]] bool has_file(const std::string& name) const {
-        std::error_code ignored;
-        for (auto entry = fs::recursive_directory_iterator(disk(), ignored); entry != fs::end(entry);
-             entry.increment(ignored)) {
-            if (entry->path().filename() == name) return true;
-        }
-        return false;
-    }
 
   private:
     bool mounted_ = false;
@@ -107,72 +98,6 @@ TEST_F(SmallDisk, ThatFillsStopsTheRunWhichIsResumedLater) {
     EXPECT_NE(resumed.err.find("resuming from"), std::string::npos) << resumed.err;
     expect_same_result("beside/whole", "disk/result");
     expect_tidy("disk/result");
-}
-
-// Before its first checkpoint, a run has space for one: the state is that at the moment the disk filled.
-TEST_F(SmallDisk, ThatFillsStoresTheStateOfAYoungRun) {
-    const std::vector<std::pair<std::string, std::string>> moments{{"0.2", "a frame cannot be written"},
-                                                                   {"4", "the result cannot be written"}};
-    fs::create_directory(path("beside"));
-    for (const auto& [interval, moment] : moments) {
-        SCOPED_TRACE(moment);
-        const bool at_a_frame = interval == "0.2";
-        const std::string result = "disk/" + interval, whole = "beside/whole_" + interval;
-        const std::string frames = "time.frame-interval=" + interval;
-        const auto command = [&](const std::string& to) {
-            return std::vector<std::string>{"run", "scene.ini", "--out", to, "--set", frames};
-        };
-        ASSERT_EQ(frana(command(whole)).exit_code, 0);
-        std::optional<Filler> filler;
-        {
-            StartedProgram program(folder_.string(), command(result));
-            ASSERT_TRUE(program.wait_until([&] {
-                return at_a_frame ? has_file("reserve") && has_file("velocity_0003.tif") : has_checkpoints(result);
-            }));
-            program.send(SIGSTOP);
-            filler.emplace(disk());
-            program.send(SIGCONT);
-            const Outcome outcome = program.wait();
-            EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
-            EXPECT_NE(outcome.err.find("the run up to its last checkpoint is kept"), std::string::npos) << outcome.err;
-        }
-        ASSERT_EQ(checkpoints(result).size(), 1U);
-        EXPECT_FALSE(has_file("reserve"));
-        const app::CheckpointFile kept(checkpoints(result).front());
-        if (at_a_frame) {
-            EXPECT_LT(kept.head().time, 4);
-            EXPECT_GE(kept.head().waiting.size(), 1U);
-        } else {
-            EXPECT_EQ(kept.head().time, 4);  // all is computed
-        }
-        // Still full: the same again, and nothing is lost.
-        std::vector<std::string> resume = command(result);
-        resume.emplace_back("--resume");
-        EXPECT_EQ(frana(resume).exit_code, 4);
-        ASSERT_GE(checkpoints(result).size(), 1U);
-        filler.reset();
-        const Outcome resumed = frana(resume);
-        EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
-        EXPECT_NE(resumed.err.find("resuming from"), std::string::npos) << resumed.err;
-        expect_same_result(whole, result);
-        expect_tidy(result);
-        fs::remove_all(path(result));
-    }
-}
-
-// A run with just enough space for its results must not end because the rest is reserved for a future checkpoint.
-TEST_F(SmallDisk, LeavesAsMuchSpaceAsIsReserved) {
-    const std::string file = disk() + "/reserve";
-    app::ReservedSpace space(file);
-    EXPECT_FALSE(space.grow(25 << 20));
-    EXPECT_EQ(errno, ENOSPC);
-    EXPECT_FALSE(fs::exists(file));
-    EXPECT_TRUE(space.grow(16 << 20));
-    EXPECT_TRUE(space.grow(24 << 20));
-    EXPECT_EQ(fs::file_size(file), 24U << 20);
-    EXPECT_FALSE(space.grow(25 << 20));
-    EXPECT_EQ(fs::file_size(file), 24U << 20);
-    EXPECT_EQ(space.bytes(), 24U << 20);
 }
 
 TEST_F(SmallDisk, ThatCannotBeWrittenIsReportedBeforeAnythingIsComputed) {

@@ -41,7 +41,6 @@ class OlderCheckpoint : public TinyScene {
         RunOptions options;
         options.after_step = [&](const Progress& now, const SaveState& state) {
             if (now.step != k_saved_step) return;
-            app::ReservedSpace none(path("reserve"));
             app::write_checkpoint(file(),
                                   {app::checkpoint_build(),
                                    app::scene_identity(prepared_),
@@ -51,10 +50,9 @@ class OlderCheckpoint : public TinyScene {
                                    1,
                                    {},
                                    {},
-                                   {},
                                    told,
                                    {}},
-                                  state, none);
+                                  state);
         };
         const RunResult result = run(prepared_.scene, options);
         EXPECT_GT(result.steps, k_saved_step);

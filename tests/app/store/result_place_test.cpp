@@ -209,7 +209,7 @@ TEST_F(Place, AnOlderResultThatCannotBeRemovedIsReported) {
     app::Manifest manifest;
     for (const std::string name : {"max_depth.tif", "frames/depth_0000.tif"}) {
         write("result.partial/" + name, "raster");
-        manifest.files[name] = app::mark_of(path("result.partial/" + name));
+        manifest.files[name] = app::size_on_disk(path("result.partial/" + name));
     }
     app::write_manifest(path("result.partial"), manifest);
     app::note_replaced(path("result"));

@@ -126,19 +126,8 @@ TEST_F(MovedStudy, AMissingSceneIsOneClearError) {
     fs::remove(folder_ / "elsewhere/far/project/scene.ini");
     const Outcome outcome = study(k_result + "/study.ini", "again");
     EXPECT_EQ(outcome.exit_code, 2);
-    for (const std::string& words :
-         {std::string("study.ini: study.scene: an input of this result is missing"), std::string("xxh128 "),
-          std::string("../../scene.ini"), path("project/scene.ini"), std::string("name its place in the study file")})
-        EXPECT_NE(outcome.err.find(words), std::string::npos) << words << '\n' << outcome.err;
+    EXPECT_NE(outcome.err.find(path("elsewhere/far/project/scene.ini")), std::string::npos) << outcome.err;
     EXPECT_FALSE(fs::exists(folder_ / "again"));
-}
-
-TEST_F(MovedStudy, AResultMovedAloneFindsItsInputsWhereTheyWere) {
-    compute();
-    fs::rename(folder_ / "project/results/many", folder_ / "many");
-    const Outcome outcome = study("many/study.ini", "again");
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find(path("project/scene.ini") + " is used"), std::string::npos) << outcome.err;
 }
 
 TEST_F(MovedStudy, AnInputWithAnotherContentIsWarnedOf) {

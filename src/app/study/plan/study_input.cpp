@@ -353,13 +353,14 @@ StudyInput read_study_texts(const std::string& path, StudyKind kind, const Sessi
     texts.reading = read_study(path, kind);
     if (samples) texts.reading.study.samples = *samples;
     texts.reading.session = session;
-    const auto map_files = [&](const NamingText::FileMap& map) {
-        texts.reading.study = with_files(std::move(texts.reading.study), map);
-    };
-    const auto where = [&](const std::string& key) { return texts.reading.where(key); };
-    const auto is_replaced = [](const std::string&) { return false; };
-    find_recorded_files({map_files, where, is_replaced, true},
-                        std::filesystem::path(texts.reading.study.file).parent_path().string(), log);
+    std::vector<NamedFile> files;
+    (void)with_files(texts.reading.study, [&](const std::string& key, const std::string& file) {
+        files.push_back({key, file});
+        return file;
+    });
+    warn_of_changed_inputs(
+        files, std::filesystem::path(texts.reading.study.file).parent_path().string(),
+        [&](const std::string& key) { return texts.reading.where(key); }, log);
     if (kind == StudyKind::calibration) {
         read_events(texts, log);
         return texts;

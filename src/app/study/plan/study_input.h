@@ -57,9 +57,9 @@ struct StudyInput {
 };
 
 /// Reads study, table and scenes, draws the members, of a calibration the first, and reads the scene of each: where its
-/// result goes is then known, and `central` has the problems of the study and of all members. The study
-/// file of a result, which may have been moved, finds its inputs as find_recorded_inputs() those of a scene. Throws
-/// Error(input) only if a file is no INI, no scene is named, or an input of such a result is missing.
+/// result goes is then known, and `central` has the problems of the study and of all members. Warns of inputs that
+/// changed since the result that has the study file. Throws Error(input) only if a file is no INI or missing, or no
+/// scene is named.
 /// @param samples in place of study.samples
 StudyInput read_study_texts(const std::string& path, StudyKind kind, const Session& session, RunLog& log,
                             const std::optional<std::int64_t>& samples = std::nullopt);
