@@ -53,7 +53,7 @@ SlopePlan plan_of(const study::StudyInput& input, std::size_t member) {
     const auto note = [&](const Error& error) { plan.problem = describe(error.problems().front()); };
     attempt(note, [&] {
         RunLog silent(true);
-        SceneReading reading = input.member(member);
+        SceneReading reading = input.member(input.first_member(member));
         reading.session.reads = std::make_shared<RememberedReads>();
         Problems problems;
         std::vector<UsedFile> files;
@@ -117,7 +117,30 @@ double members_of(const study::StudyInput& input, const std::vector<SlopePlan>& 
         largest = std::max(largest, plan.area);
         if (plan.problem.empty()) all += plan.area;
     }
-    return largest > 0 ? all / largest : 0;
+    return largest > 0 ? all / largest * static_cast<double>(input.table.draws) : 0;
+}
+
+void print_keys(const std::vector<study::Variation>& vary, const std::string& of = {}) {
+    for (const study::Variation& one : vary) print_fact(one.key + of, one.distribution.text);
+}
+
+void print_correlations(const study::StudySpec& study) {
+    for (const study::Correlation& one : study.correlate)
+        print_fact(one.first, "rank correlation with " + one.second + " " + number_text(one.rho));
+}
+
+void print_frequency(const study::StudyInput& input) {
+    const study::StudySpec& study = input.spec();
+    if (!study.frequency.is_given()) return;
+    double all = 0;
+    for (const study::Slope& slope : input.slopes) all += slope.frequency.rate ? slope.frequency.rate->value : 0;
+    print_fact("events a year", study.region
+                                    ? number_text(all, 3)
+                                    : *find_parameter(study::study_keys(study.kind), "frequency.rate")->write(study));
+    if (!study.region) return;
+    print_keys(study.vary);
+    print_correlations(study);
+    print_fact("runs", std::to_string(study.samples) + " of each slope, seed " + std::to_string(study.seed));
 }
 
 /// Prints the slopes of a region, those that would fail and why.
@@ -142,6 +165,7 @@ void print_slopes(const study::StudyInput& input, const std::vector<SlopePlan>& 
     std::printf("\nAll\n");
     print_fact("slopes", std::to_string(plans.size()) +
                              (failing.empty() ? "" : ", of which " + std::to_string(failing.size()) + " fail"));
+    print_frequency(input);
     if (!scenarios.empty())
         print_fact("scenarios", joined(std::vector<std::string>(scenarios.begin(), scenarios.end()), ", "));
     for (const study::RegionSpec::Column& one : input.reading.study.region->columns)
@@ -182,15 +206,6 @@ const char* use_of(study::TableColumn::Use use) {
     return "a value of an earlier study, not used";
 }
 
-void print_keys(const std::vector<study::Variation>& vary, const std::string& of = {}) {
-    for (const study::Variation& one : vary) print_fact(one.key + of, one.distribution.text);
-}
-
-void print_correlations(const study::StudySpec& study) {
-    for (const study::Correlation& one : study.correlate)
-        print_fact(one.first, "rank correlation with " + one.second + " " + number_text(one.rho));
-}
-
 void print_members(const study::StudyInput& input) {
     const study::StudySpec& study = input.reading.study;
     std::printf("Keys that vary\n");
@@ -200,8 +215,7 @@ void print_members(const study::StudyInput& input) {
     for (const study::TableColumn& column : input.table.columns)
         if (column.use != study::TableColumn::Use::key) print_fact(column.name, use_of(column.use));
     print_correlations(study);
-    if (study.frequency.rate)
-        print_fact("events a year", *find_parameter(study::study_keys(study.kind), "frequency.rate")->write(study));
+    print_frequency(input);
     std::printf("\nMembers\n");
     print_fact("members", std::to_string(input.members()) + (study.until ? " at most" : "") + ", sampling " +
                               study::name_of(study.sampling) + ", seed " + std::to_string(study.seed));

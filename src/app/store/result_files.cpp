@@ -127,7 +127,8 @@ std::vector<ResultFile> make_table() {
     table.add(FileKind::working, {k_record_identity});
     for (const std::string& place : {records, of_events})
         table.add(FileKind::working, {place + "s_*.frana", place + "_*.frana"});
-    table.add(FileKind::table, {k_member_table, k_sensitivity_table, k_hazard_curves, k_joined_records});
+    table.add(FileKind::table,
+              {k_member_table, k_sensitivity_table, k_hazard_curves, k_disaggregation, k_joined_records});
     table.add(FileKind::vector, {k_member_outlines});
     table.add_rasters().add(FileKind::raster, {std::string(k_member_folder) + "/member_*/*.tif"});
     table.by("batch");

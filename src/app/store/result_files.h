@@ -105,6 +105,7 @@ inline constexpr const char* k_member_table = "members.csv";
 inline constexpr const char* k_member_outlines = "members.gpkg";
 inline constexpr const char* k_sensitivity_table = "sensitivity.csv";
 inline constexpr const char* k_hazard_curves = "hazard_curves.csv";
+inline constexpr const char* k_disaggregation = "disaggregation.csv";
 /// Layer of k_outlines_file: the cells that a study reaches with at least the probability of a quantile of
 /// params/keys/result_rasters.h.
 inline std::string probability_layer(const std::string& quantile) {

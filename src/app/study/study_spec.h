@@ -73,12 +73,12 @@ struct FrequencySpec {
     /// volume.
     std::optional<std::vector<Volume>> volumes;
     std::optional<std::vector<double>> return_periods;  ///< that maps have [years]; none: 30, 100, 300
+    bool by_columns = false;                            ///< of a region: each slope has its own rate or volumes
 
+    [[nodiscard]] bool is_given() const noexcept { return rate || volumes || by_columns; }
     [[nodiscard]] std::vector<double> mapped_periods() const {
-        return !rate ? std::vector<double>{} : return_periods.value_or(std::vector<double>{30, 100, 300});
+        return !is_given() ? std::vector<double>{} : return_periods.value_or(std::vector<double>{30, 100, 300});
     }
-    /// Fraction of the events with no more than what is exceeded once in so many years; less than 0: events are rarer.
-    [[nodiscard]] double fraction_below(double years) const { return 1 - 1 / (years * rate->value); }
 };
 inline constexpr const char* k_volume_key = "release.volume";
 
@@ -139,12 +139,13 @@ inline std::string name_of(Keep keep) {
     return keep == Keep::none ? "none" : keep == Keep::all ? "all" : "failed";
 }
 
-/// A region: a study with a polygon for each member, whose attributes say what each is.
+/// A region: a study with a polygon for each member, or with a frequency for `samples` members, whose attributes say
+/// what each is.
 struct RegionSpec {
     /// Columns of the release perimeter: what a slope is called, what it belongs to, which of several events it is,
     /// and the return period of that [years].
     std::optional<std::string> name, group, scenario, return_period;
-    /// A key of the scene whose value is in a column.
+    /// A key of the scene, or of [frequency], whose value is in a column.
     struct Column {
         std::string key, column;
     };
@@ -243,7 +244,7 @@ struct StudySpec {
     std::vector<std::string> set;  ///< "key=value" for all members, as after `--set`; paths absolute
     std::vector<Variation> vary;   ///< in the order of the file
     std::vector<Correlation> correlate;
-    FrequencySpec frequency;           ///< with volumes that is the first of `vary`
+    FrequencySpec frequency;           ///< with volumes that is the first of `vary`, of a region slope by slope
     std::optional<RegionSpec> region;  ///< a polygon for each member
     double exponent = 5;            ///< calibration: N of the likelihood of an event whose survey has no stated error
     std::vector<Weight> objective;  ///< calibration
@@ -264,7 +265,7 @@ struct StudySpec {
     }
     /// Whether more members may follow the last one, with the same ones before them.
     [[nodiscard]] bool is_extensible() const noexcept {
-        return method_of(sampling).kind == SamplingMethod::Kind::sample;
+        return method_of(sampling).kind == SamplingMethod::Kind::sample && !region;
     }
 };
 

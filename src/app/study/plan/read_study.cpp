@@ -69,10 +69,11 @@ constexpr const char* k_sections[] = {
     "An ensemble has the sections [study], [set], [vary], [correlate] and [frequency]; a calibration, for `frana "
     "calibrate`, also "
     "[objective] and [event NAME]",
-    "A region has the sections [region], [set] and [columns]",
+    "A region has the sections [region], [set], [columns], [vary], [correlate] and [frequency]",
     "A calibration has the sections [study], [objective], [set], [vary], [correlate], and for single events [event "
     "NAME], [set NAME], [vary NAME]"};
 
+constexpr std::int64_t k_draws_of_slope = 64;
 constexpr std::size_t k_longest_name = 60;  // files are named after events
 
 /// The name of an event that has no section: that of its scene, in letters that names of files may have.
@@ -148,6 +149,9 @@ class StudyReader {
                                       const std::string& event) const;
     [[nodiscard]] bool has_seen(const std::string& name) const { return seen_.count(name) > 0; }
     [[nodiscard]] bool has_seen_any(const std::string& beginning) const;
+    [[nodiscard]] bool has_volumes() const {
+        return has_seen("frequency.volumes") || has_seen("columns.frequency.volumes");
+    }
 
     StudyReading& reading_;
     StudySpec& study_;
@@ -198,8 +202,8 @@ void StudyReader::read(std::vector<IniEntry> entries) {
     if (study_.scene.empty())
         add_problem({"is missing", where(study_.region ? "region.scene" : "study.scene"), "", "a scene file",
                      "Name the scene whose keys vary"});
-    if (study_.region) return check_columns();
     check_frequency();
+    if (study_.region) return check_columns();
     check_keys(study_, "");
     check_sampling();
 }
@@ -225,7 +229,7 @@ void StudyReader::add(const IniEntry& entry) {
     if (is_calibration && name.section == "event" && name.key == "scene")
         return add_event(name.event, entry.value, entry);
     EventSpec* const event = event_of(name.event);
-    const bool is_value = name.section == "set" || (name.section == "vary" && !study_.region);
+    const bool is_value = name.section == "set" || name.section == "vary";
     if (!name.event.empty() && event == nullptr && (is_value || name.section == "event"))
         return refuse("there is no event " + name.event, entry, "",
                       "Give it a scene: [event " + name.event + "] scene = FILE");
@@ -234,7 +238,7 @@ void StudyReader::add(const IniEntry& entry) {
         return add_setting(name.key, entry, event != nullptr ? event->set : study_.set);
     if (is_value) return add_variation(name.key, entry, event != nullptr ? event->vary : study_.vary);
     if (name.event.empty() && name.section == "columns" && study_.region) return add_column(name.key, entry);
-    if (name.event.empty() && name.section == "correlate" && !study_.region) return add_correlation(name.key, entry);
+    if (name.event.empty() && name.section == "correlate") return add_correlation(name.key, entry);
     refuse_unknown(entry, name);
 }
 
@@ -259,6 +263,10 @@ void StudyReader::refuse_unknown(const IniEntry& entry, const EntryName& name) {
 }
 
 void StudyReader::add_column(const std::string& key, const IniEntry& entry) {
+    if (key == "frequency.rate" || key == "frequency.volumes") {
+        study_.frequency.by_columns = true;
+        return study_.region->columns.push_back({key, entry.value});
+    }
     const std::string name = present_name(key);
     const Parameter* const parameter = scene_key(name, entry);
     if (parameter == nullptr) return;
@@ -365,12 +373,32 @@ void StudyReader::check_scheme(const std::string& event) {
 }
 
 void StudyReader::check_columns() {
-    check_scheme("");
-    for (const RegionSpec::Column& one : study_.region->columns)
+    const RegionSpec& region = *study_.region;
+    if (study_.frequency.is_given()) {
+        study_.sampling = Sampling::sobol;
+        check_keys(study_, "");
+        for (const auto& [key, column] :
+             {std::pair{"region.scenario", region.scenario}, std::pair{"region.return-period", region.return_period}})
+            if (column)
+                add_problem({"contradicts the frequency: an event has one of the two", where(key), *column, "",
+                             "Remove it, or run scenarios and frequency as two regions"});
+    } else {
+        check_scheme("");
+        for (const char* key : {"region.samples", "region.seed"})
+            if (has_seen(key)) add_problem({"has no effect without a frequency", where(key), "", "", "Remove it"});
+        if (!study_.vary.empty())
+            add_problem({"needs a frequency: slopes that fail alone have no probability together", where("vary"), "",
+                         "", "Say how often each fails: [frequency] rate, or frequency.rate in [columns]"});
+    }
+    for (const RegionSpec::Column& one : region.columns)
         for (const std::string& set : study_.set)
             if (set.starts_with(one.key + "="))
                 add_problem({"is also set for all slopes", where("columns." + one.key), "", "",
                              "Keep it in one of [set] and [columns]"});
+    for (const Variation& one : study_.vary)
+        if (has_seen("columns." + one.key))
+            add_problem({"also has a column", where("vary." + one.key), one.distribution.text, "",
+                         "Keep it in one of [vary] and [columns]"});
 }
 
 /// @param event whose study it is; empty: not of a calibration
@@ -388,7 +416,7 @@ void StudyReader::check_keys(const StudySpec& study, const std::string& event) {
     if (by_table && (has_vary || !study.correlate.empty()))
         add_problem({"gives all values: [vary] and [correlate] have no effect", where("study.sampling"), "", "",
                      "Remove the sections, or choose another sampling"});
-    if (!by_table && !has_vary && !has_seen("frequency.volumes"))
+    if (!by_table && !has_vary && !has_volumes())
         add_problem({"has no key", where("vary"), "", "", "Give at least one key a distribution"});
     const auto varies = [&](const char* key) {
         return std::any_of(study.vary.begin(), study.vary.end(), [&](const Variation& one) { return one.key == key; });
@@ -406,7 +434,7 @@ void StudyReader::check_correlations(const StudySpec& study, const std::string& 
                                              [&](const Variation& vary) { return vary.key == key; });
             const std::string place = where("correlate." + one.first + " " + one.second);
             const bool tried = has_seen(name_in("vary", key, event)) ||
-                               (key == k_volume_key && has_seen("frequency.volumes"));  // its problem is told already
+                               (key == k_volume_key && has_volumes());  // its problem is told already
             if (varied == study.vary.end() && !tried)
                 add_problem({key + " does not vary", place, "", "", "Add it to [vary]"});
             if (varied != study.vary.end() && varied->distribution.is_nominal())
@@ -428,36 +456,30 @@ void StudyReader::check_events() {
 
 /// Completes the frequency: volumes give the rate, and release.volume its distribution.
 void StudyReader::check_frequency() {
-    auto& [rate, volumes, periods] = study_.frequency;
-    if (!rate && !volumes) {
-        if (periods && !has_seen("frequency.rate") && !has_seen("frequency.volumes"))
+    const FrequencySpec& given = study_.frequency;
+    if (!given.is_given()) {
+        if (given.return_periods && !has_seen_any("frequency.rate") && !has_seen_any("frequency.volumes"))
             add_problem({"has no effect without a frequency", where("frequency.return-periods"), "", "",
                          "Give frequency.rate or frequency.volumes, or remove it"});
         return;
     }
-    if (!volumes) return;
-    constexpr double k_rounding = 0.02;  // of a rate with two digits
-    const double first = 1 / volumes->front().years;
-    const std::string text = *find_parameter(study_keys(study_.kind), "frequency.volumes")->write(study_);
-    if (rate && std::abs(rate->value / first - 1) > k_rounding)
-        add_problem({"contradicts frequency.volumes, whose first return period is " +
-                         shortest_text(volumes->front().years) + " years",
-                     where("frequency.rate"), shortest_text(rate->value), number_text(first, 3),
-                     "Remove frequency.rate, or correct one of the two"});
-    rate = FrequencySpec::Rate{first, rate ? rate->deviation : 0};
-    if (const SamplingMethod& method = method_of(study_.sampling); method.kind != SamplingMethod::Kind::sample)
-        add_problem({"decides how members are drawn, which sampling = " + std::string(method.name) + " does too",
-                     where("frequency.volumes"), text, "", "Write sampling = sobol, or keep frequency.rate alone"});
-    for (const std::string section : {"set", "vary"})
-        if (has_seen(section + "." + k_volume_key))
-            return add_problem({"decides release.volume, which [" + section + "] has too", where("frequency.volumes"),
-                                text, "", "Keep it in one of the two sections"});
-    Distribution law{Law::return_periods, {}, {}, {}, text};
-    for (const FrequencySpec::Volume& one : *volumes) {
-        law.numbers.push_back(one.volume);
-        law.numbers.push_back(one.years / volumes->front().years);
+    if (!has_volumes()) return;
+    const std::string name = given.volumes ? "frequency.volumes" : "columns.frequency.volumes";
+    const std::string text = find_parameter(study_keys(study_.kind), "frequency.volumes")->write(study_).value_or("");
+    StudySpec varied = study_;
+    if (auto contradiction = vary_volumes(varied)) {
+        contradiction->where = where("frequency.rate");
+        add_problem(*contradiction);
     }
-    study_.vary.insert(study_.vary.begin(), Variation{k_volume_key, std::move(law)});
+    if (const SamplingMethod& method = method_of(study_.sampling);
+        !study_.region && method.kind != SamplingMethod::Kind::sample)
+        add_problem({"decides how members are drawn, which sampling = " + std::string(method.name) + " does too",
+                     where(name), text, "", "Write sampling = sobol, or keep frequency.rate alone"});
+    for (const std::string section : {"set", "vary", "columns"})
+        if (has_seen(section + "." + k_volume_key))
+            return add_problem({"decides release.volume, which [" + section + "] has too", where(name), text, "",
+                                "Keep it in one of the two sections"});
+    if (!study_.region) study_ = std::move(varied);
 }
 
 void StudyReader::check_option(const Variation& vary, std::size_t option, double first_round) {
@@ -512,6 +534,39 @@ void StudyReader::check_sampling() {
 
 }  // namespace
 
+std::optional<Problem> vary_volumes(StudySpec& study) {
+    auto& rate = study.frequency.rate;
+    const auto& volumes = study.frequency.volumes;
+    if (!volumes) return std::nullopt;
+    constexpr double k_rounding = 0.02;  // of a rate with two digits
+    const double first = 1 / volumes->front().years;
+    std::optional<Problem> contradiction;
+    if (rate && std::abs(rate->value / first - 1) > k_rounding)
+        contradiction = Problem{"contradicts frequency.volumes, whose first return period is " +
+                                    shortest_text(volumes->front().years) + " years",
+                                "frequency.rate", shortest_text(rate->value), number_text(first, 3),
+                                "Remove frequency.rate, or correct one of the two"};
+    rate = FrequencySpec::Rate{first, rate ? rate->deviation : 0};
+    Distribution law{
+        Law::return_periods, {}, {}, {}, *find_parameter(study_keys(study.kind), "frequency.volumes")->write(study)};
+    for (const FrequencySpec::Volume& one : *volumes) {
+        law.numbers.push_back(one.volume);
+        law.numbers.push_back(one.years / volumes->front().years);
+    }
+    study.vary.insert(study.vary.begin(), Variation{k_volume_key, std::move(law)});
+    return contradiction;
+}
+
+std::optional<Problem> thin_volumes(const FrequencySpec& frequency, double area, const Place& where) {
+    constexpr double k_least_thickness = 0.02;  // [m]
+    const auto& volumes = frequency.volumes;
+    if (!volumes || !(area > 0) || volumes->back().volume / area >= k_least_thickness) return std::nullopt;
+    return Problem{"has a greatest volume that is " + number_text(volumes->back().volume / area, 2) +
+                       " m thick on the release of " + number_text(area, 4) + " m2",
+                   where, shortest_text(volumes->back().volume) + " m3",
+                   "at least " + shortest_text(k_least_thickness) + " m", "Write volumes in m3, not in thousands"};
+}
+
 std::pair<double, double> number_and_deviation(const std::string& text) {
     constexpr double k_none = std::numeric_limits<double>::quiet_NaN();
     // As many bytes in ASCII as in UTF-8.
@@ -539,6 +594,7 @@ StudyReading read_study(const std::string& path, StudyKind kind) {
     reading.study.file = fs::absolute(path).lexically_normal().string();
     if (kind == StudyKind::region) {
         reading.study.sampling = Sampling::polygons;
+        reading.study.samples = k_draws_of_slope;
         reading.study.region.emplace();
     }
     StudyReader(reading).read(read_ini(path));

@@ -26,6 +26,18 @@ StudyReading read_study(const std::string& path, StudyKind kind = StudyKind::ens
 /// Returns the file with every key, its meaning and the distributions as used; reading it back gives the same.
 std::string study_text(const StudySpec& study);
 
+/// Makes the volumes of a frequency the first key that varies, and of the first return period the rate. Returns what is
+/// wrong with the rate that was given.
+std::optional<Problem> vary_volumes(StudySpec& study);
+/// Why volumes hardly cover a release of so many m2: they are in thousands of m3.
+std::optional<Problem> thin_volumes(const FrequencySpec& frequency, double area, const Place& where);
+/// What decides the maps of rates besides the members.
+std::string frequency_text(const StudySpec& study);
+/// Whether a key of [columns] is one of [frequency].
+bool is_of_frequency(const std::string& key);
+
+inline constexpr std::int64_t k_last_seed = 2'147'483'647;
+
 /// Reads "35 +- 5": a number and its standard deviation, 0 if none is stated; NaN for what is no number, and for a
 /// deviation that is not greater than 0.
 std::pair<double, double> number_and_deviation(const std::string& text);

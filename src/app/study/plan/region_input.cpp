@@ -2,17 +2,256 @@
 #include "app/study/plan/region_input.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "analysis/hazard.h"
 #include "app/input/doubt_ground.h"
 #include "app/input/layer_values.h"
 #include "app/publish/publish_hazard.h"
 #include "app/store/scene_identity.h"
+#include "app/study/plan/read_study.h"
+#include "app/study/plan/sampling.h"
 #include "core/text.h"
+#include "params/grammar/value_text.h"
+#include "params/keys/scene_parameters.h"
 
 namespace frana::app::study {
 namespace {
+
+std::optional<std::string> text_in(const PolygonFeature& feature, const std::string& column) {
+    if (const auto text = feature.texts.find(column); text != feature.texts.end()) {
+        const std::string value = trimmed(text->second);
+        if (value.empty()) return std::nullopt;
+        return value;
+    }
+    if (const auto number = feature.numbers.find(column); number != feature.numbers.end())
+        return shortest_text(number->second);
+    return std::nullopt;
+}
+
+/// A column that no polygon has is mistyped.
+void require_columns(const RegionSpec& region, const gis::PolygonLayer& layer, const std::string& label,
+                     Problems& problems) {
+    std::set<std::string> known;
+    for (const PolygonFeature& feature : layer.features) {
+        for (const auto& [name, value] : feature.numbers) known.insert(name);
+        for (const auto& [name, value] : feature.texts) known.insert(name);
+    }
+    const std::vector<std::string> names(known.begin(), known.end());
+    const auto require = [&](const std::string& key, const std::string& column) {
+        if (known.count(column) > 0) return;
+        const std::string nearest = nearest_name(column, names);
+        problems.add({"is no column in which a polygon of the release perimeter has a value", Place(label, key), column,
+                      "",
+                      !nearest.empty() ? "Did you mean " + nearest + "?"
+                      : names.empty()  ? "The layer has no attributes"
+                                       : "Its columns are " + joined(names, ", ")});
+    };
+    for (const auto& [key, column] :
+         {std::pair{"region.name", region.name}, std::pair{"region.group", region.group},
+          std::pair{"region.scenario", region.scenario}, std::pair{"region.return-period", region.return_period}})
+        if (column) require(key, *column);
+    for (const RegionSpec::Column& one : region.columns) require("columns." + one.key, one.column);
+}
+
+/// How often a slope fails, by its columns or as all do. @param problem of a value in them
+FrequencySpec frequency_of(const StudySpec& study, const PolygonFeature& feature, std::string& problem) {
+    StudySpec own = study;
+    for (const RegionSpec::Column& one : study.region->columns) {
+        if (!is_of_frequency(one.key)) continue;
+        const std::string text = text_in(feature, one.column).value_or("");
+        const auto refusal = find_parameter(study_keys(StudyKind::region), one.key)->read(own, text);
+        if (text.empty())
+            problem = "column " + one.column + " for " + one.key + " has no value";
+        else if (refusal)
+            problem = "column " + one.column + " for " + one.key + ": " + text + " " + refusal->what;
+    }
+    if (const auto contradiction = vary_volumes(own)) problem = describe(*contradiction);
+    return own.frequency;
+}
+
+Slope slope_of(const StudySpec& study, const PolygonFeature& feature) {
+    const RegionSpec& region = *study.region;
+    Slope slope;
+    slope.frequency = frequency_of(study, feature, slope.problem);
+    const auto word = [&](const std::optional<std::string>& column) {
+        return column ? text_in(feature, *column).value_or("") : "";
+    };
+    slope.name = word(region.name);
+    slope.group = word(region.group);
+    slope.scenario = word(region.scenario);
+    if (region.scenario && slope.scenario.empty()) slope.problem = "column " + *region.scenario + " has no value";
+    if (!region.return_period) return slope;
+    const std::string years = word(region.return_period);
+    slope.return_period = number_from_text(years);
+    if (years.empty())
+        slope.problem = "column " + *region.return_period + " has no value";
+    else if (!slope.return_period || !(*slope.return_period > 0))
+        slope.problem = "column " + *region.return_period + " has no return period: " + years;
+    return slope;
+}
+
+void require_one_period(const std::vector<Slope>& slopes, const std::string& label, Problems& problems) {
+    std::map<std::string, std::set<double>> periods;
+    for (const Slope& slope : slopes)
+        if (slope.return_period && !slope.scenario.empty()) periods[slope.scenario].insert(*slope.return_period);
+    for (const auto& [scenario, all] : periods) {
+        if (all.size() < 2) continue;
+        problems.add({"gives scenario " + scenario + " several return periods", Place(label, "region.return-period"),
+                      shortest_text(*all.begin()) + " and " + shortest_text(*all.rbegin()) + " years",
+                      "one for each scenario", "Correct the column, or give the events different scenarios"});
+    }
+}
+
+constexpr const char* k_friction_period = "material.return-period";
+
+/// The return period of an event is also that of its friction: without one of its own a friction table takes it.
+void take_friction_period(RegionSpec& region, const FrictionTableSpec& table) {
+    const bool has_own =
+        table.return_period || std::any_of(region.columns.begin(), region.columns.end(),
+                                           [](const RegionSpec::Column& one) { return one.key == k_friction_period; });
+    if (region.return_period && table.name && !has_own)
+        region.columns.push_back({k_friction_period, *region.return_period});
+}
+
+/// Refuses releases of one return period on the friction of another.
+void require_friction_period(const FrictionTableSpec& table, StudyInput& members) {
+    const auto& keys = members.table.keys;
+    const auto place = std::find(keys.begin(), keys.end(), k_friction_period) - keys.begin();
+    for (std::size_t i = 0; i < members.slopes.size(); ++i) {
+        const auto& values = members.table.values[i];
+        const bool is_column = place < static_cast<std::ptrdiff_t>(values.size());
+        const auto friction =
+            is_column ? number_from_text(values[static_cast<std::size_t>(place)]) : table.return_period;
+        const auto& event = members.slopes[i].return_period;
+        if (!event || !friction || *event == *friction) continue;
+        members.reading.problems.add(
+            {"differs from " + std::string(k_friction_period) + ", of member " + std::to_string(i) + " first",
+             members.reading.where("region.return-period"), shortest_text(*event) + " years",
+             shortest_text(*friction) + " years",
+             "Leave out " + std::string(k_friction_period) + ": the event's own is taken"});
+        return;
+    }
+}
+
+/// Adds the columns of a region to the values of its members.
+void add_columns(const gis::PolygonLayer& layer, StudyInput& members) {
+    const StudySpec& study = members.reading.study;
+    const RegionSpec& region = *study.region;
+    const std::vector<Parameter>& parameters = scene_parameters();
+    const std::string folder = std::filesystem::path(study.file).parent_path().string();
+    for (const RegionSpec::Column& one : region.columns) {
+        if (is_of_frequency(one.key)) continue;
+        members.table.keys.push_back(one.key);
+        members.table.nominal.push_back(true);
+    }
+    for (std::size_t i = 0; i < layer.features.size(); ++i) {
+        Slope slope = slope_of(study, layer.features[i]);
+        slope.area = area(layer.features[i].parts);
+        if (!layer.unusable[i].empty()) slope.problem = layer.unusable[i];
+        for (const RegionSpec::Column& one : region.columns) {
+            if (is_of_frequency(one.key)) continue;
+            const auto text = text_in(layer.features[i], one.column);
+            if (!text) slope.problem = "column " + one.column + " for " + one.key + " has no value";
+            members.table.values[i].push_back(
+                text ? with_absolute_paths(*find_parameter(parameters, one.key), *text, folder) : "");
+            members.table.numbers[i].push_back(text ? number_from_text(*text).value_or(0) : 0);
+        }
+        members.slopes.push_back(std::move(slope));
+    }
+}
+
+/// Gives each slope its draws in place of one member, from a seed of its own; the first has that of the region.
+void draw_members(StudyInput& region) {
+    const StudySpec& study = region.spec();
+    const SampleTable slopes = std::exchange(region.table, {});
+    SampleTable& table = region.table;
+    table.keys = slopes.keys;
+    table.nominal = slopes.nominal;
+    table.draws = static_cast<std::size_t>(study.samples);
+    table.is_replicated = true;
+    constexpr std::int64_t k_seed_step = 1'000'003;
+    for (std::size_t i = 0; i < slopes.size(); ++i) {
+        StudySpec own = study;
+        own.frequency = region.slopes[i].frequency;
+        own.seed = (study.seed + static_cast<std::int64_t>(i) * k_seed_step) % k_last_seed;
+        vary_volumes(own);
+        Problems of_later;  // those of the first are everybody's
+        const SampleTable drawn =
+            samples_at(own, draw_places(own, true), region.reading.label, i == 0 ? region.reading.problems : of_later);
+        if (drawn.size() == 0) return;
+        if (i == 0) {
+            table.keys.insert(table.keys.end(), drawn.keys.begin(), drawn.keys.end());
+            table.nominal.insert(table.nominal.end(), drawn.nominal.begin(), drawn.nominal.end());
+        }
+        const auto joined_rows = [](auto row, const auto& more) {
+            row.insert(row.end(), more.begin(), more.end());
+            return row;
+        };
+        for (std::size_t draw = 0; draw < drawn.size(); ++draw) {
+            table.values.push_back(joined_rows(slopes.values[i], drawn.values[draw]));
+            table.numbers.push_back(joined_rows(slopes.numbers[i], drawn.numbers[draw]));
+            table.weights.push_back(drawn.weights[draw]);
+        }
+    }
+}
+
+/// Adds a member for each polygon of a scene's release perimeter, in the order of the file: release.perimeter-filter
+/// selects it. Adds a problem if the scene names none, or it cannot be read, or no polygon has a column that the region
+/// names, or one scenario has several return periods. What is wrong with a single slope is only kept with it.
+void add_polygons(const SceneReading& scene, StudyInput& members) {
+    Problems& problems = members.reading.problems;
+    const std::string& label = members.reading.label;
+    const ReleaseSpec& release = scene.scene.release;
+    const Place where = scene.where("release.perimeter");
+    if (!release.perimeter)
+        return problems.add({"is missing, and a region takes its polygons", where, "", "a vector file",
+                             "Name the file of the release perimeters"});
+    const std::string own = release.perimeter_layer.filter.value_or("");
+    attempt(problems, [&] {
+        gis::LayerChoice choice = layer_choice(scene, release.perimeter_layer, "release.perimeter");
+        choice.keep_unusable = true;
+        const gis::PolygonLayer layer = gis::read_polygons(*release.perimeter, "", where, choice);
+        members.table.keys = {"release.perimeter-filter"};
+        members.table.nominal = {true};
+        for (std::size_t i = 0; i < layer.conditions.size(); ++i) {
+            const std::string& condition = layer.conditions[i];
+            members.table.values.push_back({own.empty() ? condition : "(" + own + ") AND " + condition});
+            members.table.numbers.push_back({static_cast<double>(i)});
+            members.table.weights.push_back(1);
+        }
+        require_columns(*members.reading.study.region, layer, label, problems);
+        add_columns(layer, members);
+        require_one_period(members.slopes, label, problems);
+        require_friction_period(scene.scene.friction_table, members);
+    });
+}
+
+/// Reads the scene of each slope. What is wrong with some of them is kept with these; what is wrong with all is added
+/// to the region's problems once.
+void find_problems(StudyInput& region) {
+    std::vector<Slope>& slopes = region.slopes;
+    std::map<std::string, std::pair<Problem, std::size_t>> counts;  // by words
+    std::vector<std::vector<std::string>> of_slope(slopes.size());
+    for (std::size_t i = 0; i < slopes.size(); ++i) {
+        const SceneReading scene = region.member(region.first_member(i));
+        for (const Problem& problem : scene.problems.list()) {
+            const std::string words = problem.where + problem.what;
+            ++counts.try_emplace(words, problem, 0).first->second.second;
+            of_slope[i].push_back(words);
+        }
+    }
+    for (const auto& [words, found] : counts)
+        if (found.second == slopes.size()) region.reading.problems.add(found.first);
+    for (std::size_t i = 0; i < slopes.size(); ++i)
+        for (const std::string& words : of_slope[i]) {
+            const auto& [problem, count] = counts.at(words);
+            if (count < slopes.size() && slopes[i].problem.empty()) slopes[i].problem = describe(problem);
+        }
+}
 
 /// Refuses a scheme without intensities, or with several matrices of which hazard.process names none.
 void settle_degree(StudyInput& input) {
@@ -57,7 +296,7 @@ void prepare_central(StudyInput& input, const std::optional<Problem>& place, Run
         for (const std::size_t member : by_size(input.slopes)) {
             if (!input.slopes[member].problem.empty()) continue;
             const auto take = [&] {
-                SceneReading slope = input.member(member);
+                SceneReading slope = input.member(input.first_member(member));
                 input.base = prepare_slope(slope, std::nullopt, log);
                 input.central = std::move(slope);
             };
@@ -69,25 +308,12 @@ void prepare_central(StudyInput& input, const std::optional<Problem>& place, Run
 
 }  // namespace
 
-void find_problems(const std::function<SceneReading(std::size_t)>& scene_of, std::vector<Slope>& slopes,
-                   Problems& problems) {
-    std::map<std::string, std::pair<Problem, std::size_t>> counts;  // by words
-    std::vector<std::vector<std::string>> of_slope(slopes.size());
-    for (std::size_t i = 0; i < slopes.size(); ++i) {
-        const SceneReading scene = scene_of(i);
-        for (const Problem& problem : scene.problems.list()) {
-            const std::string words = problem.where + problem.what;
-            ++counts.try_emplace(words, problem, 0).first->second.second;
-            of_slope[i].push_back(words);
-        }
-    }
-    for (const auto& [words, found] : counts)
-        if (found.second == slopes.size()) problems.add(found.first);
-    for (std::size_t i = 0; i < slopes.size(); ++i)
-        for (const std::string& words : of_slope[i]) {
-            const auto& [problem, count] = counts.at(words);
-            if (count < slopes.size() && slopes[i].problem.empty()) slopes[i].problem = describe(problem);
-        }
+void add_slopes(StudyInput& region) {
+    const SceneReading scene = region.scene_with({});
+    take_friction_period(*region.reading.study.region, scene.scene.friction_table);
+    add_polygons(scene, region);
+    if (region.spec().frequency.is_given()) draw_members(region);
+    if (region.table.size() > 0) find_problems(region);
 }
 
 std::vector<std::size_t> by_size(const std::vector<Slope>& slopes) {
@@ -113,9 +339,18 @@ void prepare_region(StudyInput& input, const std::optional<Problem>& place, RunL
     all.keep_unusable = true;  // those without an area fail alone
     const gis::PolygonLayer layer =
         of_all.session.read(gis::read_polygons, *of_all.scene.release.perimeter, grid.crs_wkt, of_all.where(key), all);
-    for (std::size_t i = 0; i < layer.features.size() && i < input.slopes.size(); ++i)
-        input.slopes[i].outline = layer.features[i].parts;
+    for (std::size_t i = 0; i < layer.features.size() && i < input.slopes.size(); ++i) {
+        Slope& slope = input.slopes[i];
+        slope.outline = layer.features[i].parts;
+        const auto thin = thin_volumes(slope.frequency, area(slope.outline), input.reading.where("frequency.volumes"));
+        if (thin && slope.problem.empty()) slope.problem = describe(*thin);
+    }
     input.identity = "study = region\n" + values_text(input.table) + scene_identity(input.base);
+    StudySpec own = input.spec();
+    for (const Slope& slope : input.slopes) {
+        own.frequency = slope.frequency;
+        input.identity += frequency_text(own);
+    }
     const UsedFile polygons = used_polygons("release perimeter of all", *of_all.scene.release.perimeter, layer);
     input.identity += "checksum of the " + polygons.role + " = " + std::to_string(polygons.checksum.value()) + "\n";
 }

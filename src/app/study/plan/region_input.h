@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -10,10 +9,10 @@
 
 namespace frana::app::study {
 
-/// Reads the scene of each slope. What is wrong with some of them is kept with these; what is wrong with all is added
-/// to `problems` once.
-void find_problems(const std::function<SceneReading(std::size_t)>& scene_of, std::vector<Slope>& slopes,
-                   Problems& problems);
+/// Adds the slopes of a region with their members: one each, or with a frequency study.samples draws. Adds a problem if
+/// the scene names no polygons, or they cannot be read, or no polygon has a column that the region names, or one
+/// scenario has several return periods; what is wrong with a single slope is only kept with it.
+void add_slopes(StudyInput& region);
 
 /// Returns the slopes against which nothing is known, the largest first; if there are none, all.
 std::vector<std::size_t> by_size(const std::vector<Slope>& slopes);

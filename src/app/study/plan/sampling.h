@@ -42,6 +42,7 @@ struct SampleTable {
     /// half of its distribution. 0: members are independent of each other.
     std::size_t groups = 0;
     bool is_replicated = false;  ///< SamplingMethod::replicated
+    std::size_t draws = 1;       ///< of a region: members i n, ... (i + 1) n - 1 are the n draws of slope i
     /// Of importance sampling, by member: k_replicates times its round, and the part of the round. Empty: one round.
     std::vector<std::size_t> parts;
 
@@ -49,7 +50,8 @@ struct SampleTable {
     /// The part of a replicated design that a member is from.
     [[nodiscard]] std::size_t replicate_of(std::size_t member) const noexcept {
         if (!parts.empty()) return parts[member];
-        return (groups > 0 ? member % groups : member) % k_replicates;
+        const std::size_t group = groups > 0 ? groups : draws;
+        return (group > 1 ? member % group : member) % k_replicates;
     }
     /// Returns "key=value" of a member.
     [[nodiscard]] std::vector<std::string> overrides(std::size_t member) const;

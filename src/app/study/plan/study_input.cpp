@@ -29,160 +29,6 @@
 namespace frana::app::study {
 namespace {
 
-std::optional<std::string> text_in(const PolygonFeature& feature, const std::string& column) {
-    if (const auto text = feature.texts.find(column); text != feature.texts.end()) {
-        const std::string value = trimmed(text->second);
-        if (value.empty()) return std::nullopt;
-        return value;
-    }
-    if (const auto number = feature.numbers.find(column); number != feature.numbers.end())
-        return shortest_text(number->second);
-    return std::nullopt;
-}
-
-/// A column that no polygon has is mistyped.
-void require_columns(const RegionSpec& region, const gis::PolygonLayer& layer, const std::string& label,
-                     Problems& problems) {
-    std::set<std::string> known;
-    for (const PolygonFeature& feature : layer.features) {
-        for (const auto& [name, value] : feature.numbers) known.insert(name);
-        for (const auto& [name, value] : feature.texts) known.insert(name);
-    }
-    const std::vector<std::string> names(known.begin(), known.end());
-    const auto require = [&](const std::string& key, const std::string& column) {
-        if (known.count(column) > 0) return;
-        const std::string nearest = nearest_name(column, names);
-        problems.add({"is no column in which a polygon of the release perimeter has a value", Place(label, key), column,
-                      "",
-                      !nearest.empty() ? "Did you mean " + nearest + "?"
-                      : names.empty()  ? "The layer has no attributes"
-                                       : "Its columns are " + joined(names, ", ")});
-    };
-    for (const auto& [key, column] :
-         {std::pair{"region.name", region.name}, std::pair{"region.group", region.group},
-          std::pair{"region.scenario", region.scenario}, std::pair{"region.return-period", region.return_period}})
-        if (column) require(key, *column);
-    for (const RegionSpec::Column& one : region.columns) require("columns." + one.key, one.column);
-}
-
-Slope slope_of(const RegionSpec& region, const PolygonFeature& feature) {
-    Slope slope;
-    const auto word = [&](const std::optional<std::string>& column) {
-        return column ? text_in(feature, *column).value_or("") : "";
-    };
-    slope.name = word(region.name);
-    slope.group = word(region.group);
-    slope.scenario = word(region.scenario);
-    if (region.scenario && slope.scenario.empty()) slope.problem = "column " + *region.scenario + " has no value";
-    if (!region.return_period) return slope;
-    const std::string years = word(region.return_period);
-    slope.return_period = number_from_text(years);
-    if (years.empty())
-        slope.problem = "column " + *region.return_period + " has no value";
-    else if (!slope.return_period || !(*slope.return_period > 0))
-        slope.problem = "column " + *region.return_period + " has no return period: " + years;
-    return slope;
-}
-
-void require_one_period(const std::vector<Slope>& slopes, const std::string& label, Problems& problems) {
-    std::map<std::string, std::set<double>> periods;
-    for (const Slope& slope : slopes)
-        if (slope.return_period && !slope.scenario.empty()) periods[slope.scenario].insert(*slope.return_period);
-    for (const auto& [scenario, all] : periods) {
-        if (all.size() < 2) continue;
-        problems.add({"gives scenario " + scenario + " several return periods", Place(label, "region.return-period"),
-                      shortest_text(*all.begin()) + " and " + shortest_text(*all.rbegin()) + " years",
-                      "one for each scenario", "Correct the column, or give the events different scenarios"});
-    }
-}
-
-constexpr const char* k_friction_period = "material.return-period";
-
-/// The return period of an event is also that of its friction: without one of its own a friction table takes it.
-void take_friction_period(RegionSpec& region, const FrictionTableSpec& table) {
-    const bool has_own =
-        table.return_period || std::any_of(region.columns.begin(), region.columns.end(),
-                                           [](const RegionSpec::Column& one) { return one.key == k_friction_period; });
-    if (region.return_period && table.name && !has_own)
-        region.columns.push_back({k_friction_period, *region.return_period});
-}
-
-/// Refuses releases of one return period on the friction of another.
-void require_friction_period(const FrictionTableSpec& table, StudyInput& members) {
-    const auto& keys = members.table.keys;
-    const auto place = std::find(keys.begin(), keys.end(), k_friction_period) - keys.begin();
-    for (std::size_t i = 0; i < members.slopes.size(); ++i) {
-        const auto& values = members.table.values[i];
-        const bool is_column = place < static_cast<std::ptrdiff_t>(values.size());
-        const auto friction =
-            is_column ? number_from_text(values[static_cast<std::size_t>(place)]) : table.return_period;
-        const auto& event = members.slopes[i].return_period;
-        if (!event || !friction || *event == *friction) continue;
-        members.reading.problems.add(
-            {"differs from " + std::string(k_friction_period) + ", of member " + std::to_string(i) + " first",
-             members.reading.where("region.return-period"), shortest_text(*event) + " years",
-             shortest_text(*friction) + " years",
-             "Leave out " + std::string(k_friction_period) + ": the event's own is taken"});
-        return;
-    }
-}
-
-/// Adds the columns of a region to the values of its members.
-void add_columns(const gis::PolygonLayer& layer, StudyInput& members) {
-    const StudySpec& study = members.reading.study;
-    const RegionSpec& region = *study.region;
-    const std::vector<Parameter>& parameters = scene_parameters();
-    const std::string folder = std::filesystem::path(study.file).parent_path().string();
-    for (const RegionSpec::Column& one : region.columns) {
-        members.table.keys.push_back(one.key);
-        members.table.nominal.push_back(true);
-    }
-    for (std::size_t i = 0; i < layer.features.size(); ++i) {
-        Slope slope = slope_of(region, layer.features[i]);
-        slope.area = area(layer.features[i].parts);
-        if (!layer.unusable[i].empty()) slope.problem = layer.unusable[i];
-        for (const RegionSpec::Column& one : region.columns) {
-            const auto text = text_in(layer.features[i], one.column);
-            if (!text) slope.problem = "column " + one.column + " for " + one.key + " has no value";
-            members.table.values[i].push_back(
-                text ? with_absolute_paths(*find_parameter(parameters, one.key), *text, folder) : "");
-            members.table.numbers[i].push_back(text ? number_from_text(*text).value_or(0) : 0);
-        }
-        members.slopes.push_back(std::move(slope));
-    }
-}
-
-/// Adds a member for each polygon of a scene's release perimeter, in the order of the file: release.perimeter-filter
-/// selects it. Adds a problem if the scene names none, or it cannot be read, or no polygon has a column that the region
-/// names, or one scenario has several return periods. What is wrong with a single slope is only kept with it.
-void add_polygons(const SceneReading& scene, StudyInput& members) {
-    Problems& problems = members.reading.problems;
-    const std::string& label = members.reading.label;
-    const ReleaseSpec& release = scene.scene.release;
-    const Place where = scene.where("release.perimeter");
-    if (!release.perimeter)
-        return problems.add({"is missing, and a region takes its polygons", where, "", "a vector file",
-                             "Name the file of the release perimeters"});
-    const std::string own = release.perimeter_layer.filter.value_or("");
-    attempt(problems, [&] {
-        gis::LayerChoice choice = layer_choice(scene, release.perimeter_layer, "release.perimeter");
-        choice.keep_unusable = true;
-        const gis::PolygonLayer layer = gis::read_polygons(*release.perimeter, "", where, choice);
-        members.table.keys = {"release.perimeter-filter"};
-        members.table.nominal = {true};
-        for (std::size_t i = 0; i < layer.conditions.size(); ++i) {
-            const std::string& condition = layer.conditions[i];
-            members.table.values.push_back({own.empty() ? condition : "(" + own + ") AND " + condition});
-            members.table.numbers.push_back({static_cast<double>(i)});
-            members.table.weights.push_back(1);
-        }
-        require_columns(*members.reading.study.region, layer, label, problems);
-        add_columns(layer, members);
-        require_one_period(members.slopes, label, problems);
-        require_friction_period(scene.scene.friction_table, members);
-    });
-}
-
 SceneReading read_member(const StudyReading& reading, const std::vector<std::string>& overrides) {
     std::vector<std::string> all = reading.study.set;
     if (reading.study.scheme) all.push_back("numerics.scheme=" + word_of(*reading.study.scheme, k_schemes));
@@ -267,28 +113,6 @@ std::string rounds_text(const StudyInput& input) {
            "\nseed = " + std::to_string(study.seed) + "\n";
 }
 
-/// What decides the maps of rates besides the members.
-std::string frequency_text(const StudySpec& study) {
-    std::string text;
-    for (const auto& key : study_keys(study.kind))
-        if (const auto value = key.section == "frequency" ? key.write(study) : std::nullopt)
-            text += key.name() + " = " + *value + "\n";
-    return text;
-}
-
-/// Refuses volumes that hardly cover the release: they are in thousands of m3.
-void check_volumes(const StudyInput& input, Problems& problems) {
-    constexpr double k_least_thickness = 0.02;  // [m]
-    const auto& volumes = input.spec().frequency.volumes;
-    double all = 0;
-    for (const ReleaseArea& one : input.base.scene.release) all += area(one.outline);
-    if (!volumes || !(all > 0) || volumes->back().volume / all >= k_least_thickness) return;
-    problems.add({"has a greatest volume that is " + number_text(volumes->back().volume / all, 2) +
-                      " m thick on the release of " + number_text(all, 4) + " m2",
-                  input.reading.where("frequency.volumes"), shortest_text(volumes->back().volume) + " m3",
-                  "at least " + shortest_text(k_least_thickness) + " m", "Write volumes in m3, not in thousands"});
-}
-
 /// Why importance sampling has no event to look for.
 void check_rare_event(const StudyInput& input, Problems& problems) {
     const auto& gauge = input.reading.study.rare_place;
@@ -369,12 +193,9 @@ StudyInput read_study_texts(const std::string& path, StudyKind kind, const Sessi
     std::vector<std::string> central;
     try {
         if (texts.reading.study.region) {
-            const SceneReading scene = read_member(texts.reading, {});
-            take_friction_period(*texts.reading.study.region, scene.scene.friction_table);
-            add_polygons(scene, texts);
-            find_problems([&](std::size_t i) { return read_member(texts.reading, texts.table.overrides(i)); },
-                          texts.slopes, texts.reading.problems);
-            if (texts.table.size() > 0) central = texts.table.overrides(by_size(texts.slopes).front());
+            add_slopes(texts);
+            if (texts.table.size() > 0)
+                central = texts.table.overrides(texts.first_member(by_size(texts.slopes).front()));
         } else {
             texts.table = read_samples(texts.reading);
             central = central_overrides(texts.reading.study, texts.table);
@@ -414,10 +235,13 @@ StudyInput prepare_study(StudyInput input, const std::optional<Problem>& place, 
     doubt_ground(input.central, input.base, log);
     input.base.scene.time.frame_interval = 0;
     check_rare_event(input, problems);
-    check_volumes(input, problems);
+    double all = 0;
+    for (const ReleaseArea& one : input.base.scene.release) all += area(one.outline);
+    if (const auto thin = thin_volumes(input.spec().frequency, all, input.reading.where("frequency.volumes")))
+        problems.add(*thin);
     problems.throw_if_any();
     input.identity = "study = " + name_of(input.reading.study.sampling) + "\n" + rounds_text(input) +
-                     frequency_text(input.reading.study) + values_text(input.table) + scene_identity(input.base);
+                     frequency_text(input.spec()) + values_text(input.table) + scene_identity(input.base);
     RunLog silent(true);
     for (const std::size_t member : members_with_every_value(input.table)) {
         attempt(problems, [&] {

@@ -21,6 +21,7 @@ namespace frana::app::study {
 struct Slope {
     std::string name, group, scenario;  ///< empty: no such column or no value
     std::optional<double> return_period;
+    FrequencySpec frequency;
     double area = 0;       ///< in the layer's CRS
     std::string problem;   ///< why it cannot be computed; empty: nothing is known against it
     MultiPolygon outline;  ///< in the working CRS, once that is known
@@ -34,7 +35,7 @@ struct StudyInput {
     SceneReading central;                     ///< the central member: medians, likeliest choices
     Prepared base;                            ///< the same, prepared
     std::vector<ReleaseArea> other_releases;  ///< of members with other files, for maps
-    std::vector<Slope> slopes;                ///< of a region, by member
+    std::vector<Slope> slopes;                ///< of a region
     /// One fact per line: the study, every member's values, the scenes and their data. Two studies with the same
     /// identity give the same bits.
     std::string identity;
@@ -50,6 +51,9 @@ struct StudyInput {
 
     /// Number of members that the study will have, at most.
     [[nodiscard]] std::size_t members() const;
+    /// The slope of a member of a region, and the first member of a slope.
+    [[nodiscard]] const Slope& slope_of(std::size_t member) const { return slopes[member / table.draws]; }
+    [[nodiscard]] std::size_t first_member(std::size_t slope) const { return slope * table.draws; }
     /// Returns the scene of a member, as `frana run` with its values reads it.
     [[nodiscard]] SceneReading member(std::size_t index) const;
     /// Returns the scene with the study's settings and these values ("key=value").

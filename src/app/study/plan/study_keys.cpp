@@ -19,7 +19,6 @@ namespace {
 
 using StudyKey = ParameterOf<StudySpec>;
 
-constexpr std::int64_t k_last_seed = 2'147'483'647;
 constexpr const char* k_table_word = "table:";
 
 /// Samplings of earlier versions, and what to use.
@@ -59,9 +58,11 @@ StudyKey sampling_key(StudyKind kind) {
     return key;
 }
 
-StudyKey samples_key() {
-    StudyKey samples = declare::integer<StudySpec>("study.samples", FRANA_MEMBER(samples), 2, k_most_samples,
-                                                   "Number of members; with until, and of a calibration, the most.");
+StudyKey samples_key(const std::string& section, StudyKind kind) {
+    StudyKey samples = declare::integer<StudySpec>(
+        section + "samples", FRANA_MEMBER(samples), 2, k_most_samples,
+        kind == StudyKind::region ? "Members of each slope, of a region with a frequency."
+                                  : "Number of members; with until, and of a calibration, the most.");
     samples.write = [write = samples.write](const StudySpec& study) {
         return study.sampling == Sampling::table ? std::nullopt : write(study);
     };
@@ -227,10 +228,17 @@ std::vector<StudyKey> keys_of(StudyKind kind) {
             declare::Words<Scheme>{{"default", Scheme::standard}, {"finite-volume", Scheme::finite_volume}},
             "Numerical scheme of all members; without it that of the scene. Two members are computed "
             "again by the other one."));
-    add({ensemble, calibration}, samples_key());
+    const auto if_drawn = [](StudyKey key) {
+        key.write = [write = key.write](const StudySpec& study) {
+            return study.sampling == Sampling::polygons ? std::nullopt : write(study);
+        };
+        return key;
+    };
+    add({ensemble, region, calibration}, if_drawn(samples_key(section, kind)));
     add({ensemble, calibration}, sampling_key(kind));
-    add({ensemble, calibration}, declare::integer<StudySpec>("study.seed", FRANA_MEMBER(seed), 0, k_last_seed,
-                                                             "The same seed gives the same members."));
+    add({ensemble, region, calibration},
+        if_drawn(declare::integer<StudySpec>(section + "seed", FRANA_MEMBER(seed), 0, k_last_seed,
+                                             "The same seed gives the same members.")));
     add({ensemble}, declare::text<StudySpec>("study.rare-place", FRANA_MEMBER(rare_place), "text",
                                              "A gauge of the scene (output.gauges): with sampling = importance most "
                                              "members are drawn near what makes the flow come there."));
@@ -242,7 +250,7 @@ std::vector<StudyKey> keys_of(StudyKind kind) {
                                                                             {name_of(Keep::failed), Keep::failed},
                                                                             {name_of(Keep::all), Keep::all}},
                                                        "Members whose scene and maps are written to members/."));
-    for (const auto& key : {rate_key(), volumes_key(), return_periods_key()}) add({ensemble}, key);
+    for (const auto& key : {rate_key(), volumes_key(), return_periods_key()}) add({ensemble, region}, key);
     add({region}, column_key("region.name", FRANA_MEMBER(name), "What each slope is called."));
     add({region},
         column_key("region.group", FRANA_MEMBER(group), "What each slope belongs to: a catchment, a commune."));
@@ -321,6 +329,18 @@ std::string without_folder(const std::string&, const std::string& path) {
 StudySpec seen_from(StudySpec study, const std::string& folder) {
     return with_files(std::move(study),
                       [&](const std::string&, const std::string& path) { return relative_path(path, folder); });
+}
+
+std::string frequency_text(const StudySpec& study) {
+    std::string text;
+    for (const auto& key : study_keys(study.kind))
+        if (const auto value = is_of_frequency(key.name()) ? key.write(study) : std::nullopt)
+            text += key.name() + " = " + *value + "\n";
+    return text;
+}
+
+bool is_of_frequency(const std::string& key) {
+    return key.starts_with("frequency.");
 }
 
 // A study as the text of a file.

@@ -76,8 +76,8 @@ std::optional<MemberRecord> run_member(const StudyInput& input, const MemberTask
                                        const std::function<bool()>& stops) {
     RunLog log(true);
     try {
-        if (!input.slopes.empty() && !input.slopes[task.member].problem.empty())
-            throw Error(ErrorKind::input, Problem{input.slopes[task.member].problem, "", "", "", ""});
+        if (!input.slopes.empty() && !input.slope_of(task.member).problem.empty())
+            throw Error(ErrorKind::input, Problem{input.slope_of(task.member).problem, "", "", "", ""});
         Prepared prepared = prepared_member(input, task, log);
         const Scene& scene = prepared.scene;
         RunOptions options;

@@ -137,6 +137,31 @@ void choose_design(const StudyInput& input, StudyResult& result) {
     result.points.are_dependent = !input.reading.study.correlate.empty() || are_correlated(result.points);
 }
 
+/// The slopes of a region, or the only one of a study, with their runs.
+std::shared_ptr<const AnnualRates> rates_of(const StudyInput& input, const FinishedMembers& all,
+                                            const StudyResult& result) {
+    const FrequencySpec& frequency = input.spec().frequency;
+    if (!frequency.is_given()) return nullptr;
+    std::vector<Source> sources(std::max<std::size_t>(1, input.slopes.size()));
+    const std::size_t runs = all.size() / sources.size();
+    for (std::size_t i = 0, first = 0; i < sources.size(); ++i) {
+        Source& source = sources[i];
+        const Slope* const slope = input.slopes.empty() ? nullptr : &input.slopes[i];
+        source.name = slope != nullptr ? slope->name : "";
+        source.rate = (slope != nullptr ? slope->frequency : frequency).rate.value_or(FrequencySpec::Rate{});
+        std::vector<std::size_t> finished, every;
+        for (std::size_t run = i * runs; run < (i + 1) * runs; ++run) {
+            every.push_back(run);
+            if (result.members[run].failure.empty()) finished.push_back(run);
+        }
+        source.members = chosen(all, finished);
+        source.shares = chosen(all, every).weights;
+        source.first = first;
+        first += finished.size();
+    }
+    return std::make_shared<AnnualRates>(std::move(sources), !frequency.by_columns, result.open.is_open);
+}
+
 }  // namespace
 
 bool StudyResult::equal_weights() const {
@@ -206,6 +231,7 @@ StudyResult read_study_result(const StudyInput& input, const std::string& folder
     result.finished = chosen(all, result.finished_at);
     choose_design(input, result);
     result.design = chosen(all, result.design_at);
+    result.rates = rates_of(input, all, result);
     all.replicates.clear();  // a bound has no use for them
     result.open.runs = chosen(all, everyone);
     result.grid = input.base.scene.grid;

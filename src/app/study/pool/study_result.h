@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "app/pictures/result_numbers.h"
 #include "app/study/member_record.h"
 #include "app/study/plan/study_input.h"
+#include "app/study/statistics/annual_rates.h"
 #include "app/study/statistics/cell_statistics.h"
 #include "app/study/statistics/outline_maps.h"
 #include "app/study/statistics/sensitivity.h"
@@ -50,8 +52,9 @@ struct StudyResult {
     std::vector<std::size_t> design_at;
     DesignPoints points;
     std::size_t groups = 0;
-    GridSpec grid;  ///< of all maps
-    OpenRuns open;  ///< all runs, in the order of `members`
+    GridSpec grid;                             ///< of all maps
+    OpenRuns open;                             ///< all runs, in the order of `members`
+    std::shared_ptr<const AnnualRates> rates;  ///< null: without a frequency
 
     [[nodiscard]] std::size_t failed() const { return failed_of(members); }
     /// Weights of all members: 0 of one that failed.

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
-#include <span>
 
 #include "analysis/separate_flows.h"
 #include "app/publish/publish_exposure.h"
@@ -57,47 +57,123 @@ std::pair<double, double> fractiles(double mean, double deviation) {
     return {both[0], both[1]};
 }
 
-HazardPoint point_of(const FrequencySpec::Rate& rate, double value, const Estimate& probability) {
-    const double p = probability.value, e = probability.margin / k_normal;
-    if (!(p > 0)) return {value, 0, 0, fractiles(rate.value, rate.deviation).second * probability.margin};
-    const auto [low, high] =
-        fractiles(rate.value * p, std::hypot(rate.value * e, rate.deviation * p, rate.deviation * e));
-    return {value, rate.value * p, low, high};
+using Values = std::span<const float>;
+
+/// Of the values of all members those that came.
+std::vector<CellStore::Value> hits_of(Values values) {
+    std::vector<CellStore::Value> hits;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (values[i] > 0) hits.push_back({static_cast<std::uint32_t>(i), values[i]});
+    return hits;
+}
+
+/// The row of a quantity that has hazard curves; null: it has none.
+const HazardQuantity* hazard_quantity(Quantity quantity) {
+    const auto found = std::find_if(std::begin(k_hazard_quantities), std::end(k_hazard_quantities),
+                                    [&](const HazardQuantity& one) { return one.quantity == quantity; });
+    return found == std::end(k_hazard_quantities) ? nullptr : found;
+}
+
+std::vector<std::vector<std::size_t>> cells_of(const std::vector<CurvePlace>& places) {
+    std::vector<std::vector<std::size_t>> cells;
+    for (const CurvePlace& place : places) cells.push_back(place.cells);
+    return cells;
 }
 
 }  // namespace
 
+HazardPoint hazard_point(const AnnualRates& rates, Values values, double threshold) {
+    const AnnualRate rate = rates.exceeded(hits_of(values), threshold);
+    if (!(rate.value > 0)) return {threshold, 0, 0, rate.margin};
+    const auto [low, high] = fractiles(rate.value, rate.margin / k_normal);
+    return {threshold, rate.value, low, high};
+}
+
+double hazard_bound(const AnnualRates& rates, Values runs, double threshold) {
+    const FrequencySpec::Rate all = rates.of_all();
+    const double bound = rates.bound(hits_of(runs), threshold);
+    return fractiles(bound, bound * all.deviation / all.value).second;
+}
+
 std::vector<HazardCurve> hazard_curves(const StudyInput& input, const StudyResult& result, bool with_objects) {
     std::vector<HazardCurve> curves;
-    const auto& rate = input.spec().frequency.rate;
     const std::vector<CurvePlace> places = curve_places(input, result, with_objects);
-    if (!rate || places.empty()) return curves;
-    std::vector<std::vector<std::size_t>> cells;
-    for (const CurvePlace& place : places) cells.push_back(place.cells);
-    const MeanEstimate estimate(result.finished);
+    if (!result.rates || places.empty()) return curves;
+    const std::vector<std::vector<std::size_t>> cells = cells_of(places);
     for (const MappedEvents& events : mapped_events(input.base.spec)) {
-        const auto quantity = std::find_if(std::begin(k_hazard_quantities), std::end(k_hazard_quantities),
-                                           [&](const HazardQuantity& one) { return one.quantity == events.quantity; });
-        if (quantity == std::end(k_hazard_quantities)) continue;
+        const HazardQuantity* const quantity = hazard_quantity(events.quantity);
+        if (quantity == nullptr) continue;
         const std::size_t first = curves.size();
         for (const CurvePlace& place : places) curves.push_back({place.kind, place.name, *quantity, {}});
-        using Values = std::span<const float>;
         for_each_feature(result.finished, events.quantity, result.grid, cells, [&](std::size_t at, Values values) {
             const double greatest = static_cast<double>(*std::max_element(values.begin(), values.end()));
             for (const double level : curve_levels(greatest, events.thresholds))
-                curves[first + at].points.push_back(point_of(*rate, level, estimate.probability(values, level)));
+                curves[first + at].points.push_back(hazard_point(*result.rates, values, level));
         });
-        const double most = fractiles(rate->value, rate->deviation).second;
         const auto add_bound = [&](std::size_t at, Values values) {
             for (HazardPoint& point : curves[first + at].points)
-                point.high = std::max(point.high, most * upper_bound(result.open, values, point.value));
+                point.high = std::max(point.high, hazard_bound(*result.rates, values, point.value));
         };
         if (result.open.any()) for_each_feature(result.open.runs, events.quantity, result.grid, cells, add_bound);
     }
     for (HazardCurve& curve : curves)  // what exceeds a value exceeds all lower ones
-        for (std::size_t i = 1; i < curve.points.size(); ++i)
-            curve.points[i].high = std::min(curve.points[i].high, curve.points[i - 1].high);
+        for (std::size_t i = 1; i < curve.points.size(); ++i) {
+            std::vector<HazardPoint>& points = curve.points;
+            points[i].high = std::min(points[i].high, points[i - 1].high);
+            points[points.size() - 1 - i].low =
+                std::max(points[points.size() - 1 - i].low, points[points.size() - i].low);
+        }
     return curves;
+}
+
+std::string disaggregation_csv(const StudyInput& input, const StudyResult& result) {
+    std::vector<std::string> columns{"kind", "place",       "quantity", "value",    "source",
+                                     "name", "annual_rate", "fraction", "volume_m3"};
+    const SampleTable& members = input.table;
+    std::vector<std::size_t> keys;  // that have a mean
+    for (std::size_t k = 0; k < members.keys.size(); ++k)
+        if (!members.nominal[k] && members.keys[k] != k_volume_key) keys.push_back(k);
+    for (const std::size_t key : keys) columns.push_back(members.keys[key]);
+    Table table(columns);
+    const std::vector<CurvePlace> places = curve_places(input, result, true);
+    for (const MappedEvents& events : mapped_events(input.base.spec)) {
+        const HazardQuantity* const quantity = hazard_quantity(events.quantity);
+        if (quantity == nullptr) continue;
+        for_each_feature(
+            result.finished, events.quantity, result.grid, cells_of(places), [&](std::size_t at, Values values) {
+                for (const double threshold : events.thresholds) {
+                    const std::vector<double> of_sources = result.rates->by_source(hits_of(values), threshold);
+                    const double all = std::accumulate(of_sources.begin(), of_sources.end(), 0.0);
+                    for (std::size_t i = 0; i < of_sources.size(); ++i) {
+                        if (!(of_sources[i] > 0)) continue;
+                        const Source& source = result.rates->sources()[i];
+                        std::vector<Cell> row{places[at].kind,
+                                              places[at].name,
+                                              quantity->key,
+                                              shortest_text(threshold),
+                                              std::to_string(i),
+                                              source.name,
+                                              shortest_text(of_sources[i]),
+                                              shortest_text(of_sources[i] / all)};
+                        const auto mean = [&](const auto& value_of_member) {
+                            double sum = 0, weights = 0;
+                            for (std::size_t m = 0; m < source.members.size(); ++m) {
+                                if (!(static_cast<double>(values[source.first + m]) > threshold)) continue;
+                                weights += source.members.weights[m];
+                                sum += source.members.weights[m] *
+                                       value_of_member(result.members[result.finished_at[source.first + m]]);
+                            }
+                            row.emplace_back(shortest_text(sum / weights));
+                        };
+                        mean([](const MemberRecord& member) { return value_of(member.figures, "volume_m3"); });
+                        for (const std::size_t key : keys)
+                            mean([&](const MemberRecord& member) { return members.numbers[member.member][key]; });
+                        table.row(row);
+                    }
+                }
+            });
+    }
+    return table.rows().empty() ? "" : table.csv();
 }
 
 std::string hazard_curves_csv(const std::vector<HazardCurve>& curves) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,13 +35,20 @@ struct HazardCurve {
 };
 
 /// Returns the curves of the scene's gauges and, if wanted, exposed objects on the map, of depth, speed and, where it
-/// is mapped, pressure. Empty without a frequency. Of an object the greatest value in its cells counts.
-///
-/// The rate r (gamma, see FrequencySpec) times the probability p, whose standard error is e: mean r p, variance
-/// (r e)^2 + s^2 (p^2 + e^2); the fractiles are those of a gamma distribution with these. Where no run exceeds a value
-/// the upper one is that of r times the margin of a probability of 0. Runs that were cut, left or failed count in it;
-/// it never rises with the value.
+/// is mapped, pressure. Empty without a frequency. Of an object the greatest value in its cells counts. Fractiles never
+/// rise with the value; in the upper one runs count that were cut, left or failed.
 std::vector<HazardCurve> hazard_curves(const StudyInput& input, const StudyResult& result, bool with_objects);
+
+/// How often the value at a place exceeds a threshold, of all finished members: the fractiles are those of a gamma
+/// distribution with the mean and the standard deviation of AnnualRates. Where none exceeds it the upper one is the
+/// margin.
+HazardPoint hazard_point(const AnnualRates& rates, std::span<const float> values, double threshold);
+/// The upper fractile, of all runs, if every open one exceeds it.
+double hazard_bound(const AnnualRates& rates, std::span<const float> runs, double threshold);
+
+/// Returns disaggregation.csv: by place, quantity and threshold the sources with their part of the rate, and the means
+/// of the volume and of the keys that vary, of the events that exceed it. Empty if nothing does.
+std::string disaggregation_csv(const StudyInput& input, const StudyResult& result);
 
 /// Returns hazard_curves.csv.
 std::string hazard_curves_csv(const std::vector<HazardCurve>& curves);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/study/publish/map_writer.h"
 
-#include <cmath>
+#include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "analysis/trace.h"
 #include "app/pictures/map_layer.h"
@@ -16,30 +18,9 @@ namespace frana::app::study {
 namespace {
 
 constexpr const char *k_probability = "probability", *k_rate = "annual_rate";
-
-/// Events a year from a probability p with the margin m: r p, and with r's standard deviation s the margin
-/// sqrt((r m)^2 + (1.96 s p)^2 + (s m)^2).
-struct RateOf {
-    FrequencySpec::Rate rate;
-    double elsewhere = 0;  ///< the margin of a probability of 0
-
-    [[nodiscard]] double margin(double p, double m) const {
-        return std::hypot(rate.value * m, k_normal * rate.deviation * p, rate.deviation * m);
-    }
-    [[nodiscard]] Chance operator()(const Raster& probability, const Raster& margins) const {
-        Chance chance{Raster(probability.grid), Raster(probability.grid, margin(0, elsewhere))};
-        probability.values.for_each_stored([&](std::size_t cell, double p) {
-            chance.value.values[cell] = rate.value * p;
-            chance.margin.values[cell] = margin(p, margins.values[cell]);
-        });
-        return chance;
-    }
-    [[nodiscard]] Raster bound(const Raster& upper, double nowhere) const {
-        Raster most(upper.grid, rate.value * nowhere);
-        upper.values.for_each_stored([&](std::size_t cell, double p) { most.values[cell] = rate.value * p; });
-        return most;
-    }
-};
+/// What is exceeded once in so many years, which follow the name.
+constexpr std::pair<Quantity, const char*> k_once_rasters[] = {{Quantity::depth, "max_depth_T"},
+                                                               {Quantity::velocity, "max_velocity_T"}};
 
 }  // namespace
 
@@ -68,23 +49,37 @@ void MapWriter::write_chance(const std::string& name, const Chance& chance, cons
 }
 
 QuantityMaps MapWriter::write_probabilities(const FinishedMembers& finished, const OpenRuns& all, const GridSpec& grid,
-                                            const MappedEvents& events, const FrequencySpec& frequency) const {
-    std::vector<double> fractions;
-    for (const double years : frequency.mapped_periods()) fractions.push_back(frequency.fraction_below(years));
-    QuantityMaps maps = quantity_maps(finished, events.quantity, grid, events.thresholds, fractions);
+                                            const MappedEvents& events) const {
+    QuantityMaps maps = quantity_maps(finished, events.quantity, grid, events.thresholds);
     std::vector<Raster> upper;
-    const std::vector<float> nothing(finished.size()), none_of_all(all.is_open.size());
     if (all.any()) upper = probability_bounds(maps.probability, all, events.quantity, events.thresholds, grid);
-    for (std::size_t t = 0; t < events.rasters.size(); ++t) {
-        const std::string& name = events.rasters[t];
-        write_chance(name, {maps.probability[t], maps.margin[t]}, upper.empty() ? nullptr : &upper[t]);
-        if (!frequency.rate) continue;
-        const double threshold = events.thresholds[t];
-        const RateOf rate_of{*frequency.rate, MeanEstimate(finished).probability(nothing, threshold).margin};
-        std::optional<Raster> most;
-        if (!upper.empty()) most = rate_of.bound(upper[t], upper_bound(all, none_of_all, threshold));
-        write_chance(k_rate + name.substr(std::string(k_probability).size()),
-                     rate_of(maps.probability[t], maps.margin[t]), most ? &*most : nullptr);
+    for (std::size_t t = 0; t < events.rasters.size(); ++t)
+        write_chance(events.rasters[t], {maps.probability[t], maps.margin[t]}, upper.empty() ? nullptr : &upper[t]);
+    return maps;
+}
+
+std::string rate_name(const std::string& probability) {
+    return k_rate + probability.substr(std::string(k_probability).size());
+}
+
+RateMaps MapWriter::write_rates(const StudyResult& result, const MappedEvents& events,
+                                const std::vector<double>& periods) const {
+    const auto once = std::find_if(std::begin(k_once_rasters), std::end(k_once_rasters),
+                                   [&](const auto& one) { return one.first == events.quantity; });
+    const bool has_once = once != std::end(k_once_rasters);
+    RateMaps maps = rate_maps(*result.rates, result.finished, result.open.runs, events.quantity, result.grid,
+                              events.thresholds, has_once ? periods : std::vector<double>{});
+    for (std::size_t t = 0; t < events.rasters.size(); ++t)
+        write_chance(rate_name(events.rasters[t]), {maps.rate[t], maps.margin[t]},
+                     maps.upper.empty() ? nullptr : &maps.upper[t]);
+    for (std::size_t i = 0; i < maps.once.size(); ++i) {
+        const std::string name = once->second + shortest_text(periods[i]);
+        const gis::RasterBand band = band_of(name, maps.once[i].value);
+        write(name,
+              {band,
+               {maps.once[i].low, {name + "_low", "lower end of the interval of 95 %", band.text.unit, metadata_}},
+               {maps.once[i].high,
+                {name + "_high", "upper end of the interval of 95 %; nodata: not known", band.text.unit, metadata_}}});
     }
     return maps;
 }

@@ -9,6 +9,7 @@
 #include "app/input/prepare.h"
 #include "app/store/result_directory.h"
 #include "app/study/plan/study_input.h"
+#include "app/study/pool/study_result.h"
 #include "app/study/statistics/study_maps.h"
 #include "core/words/words.h"
 #include "gis/raster/raster_out.h"
@@ -21,6 +22,9 @@ struct Chance {
     Raster value, margin;
 };
 
+/// The name of a rate, from that of its probability.
+std::string rate_name(const std::string& probability);
+
 /// Writes rasters of the table of result rasters with their texts and styles.
 class MapWriter {
   public:
@@ -29,10 +33,13 @@ class MapWriter {
 
     void write(const std::string& name, const Raster& raster) const;
     /// Makes the maps of events, and writes their probabilities: with the margin as second band; 0, not nodata, where
-    /// nothing came. Of open runs the upper bound is the third. With a frequency also the rates, and the values that
-    /// are exceeded once in its return periods are among the quantiles.
+    /// nothing came. Of open runs the upper bound is the third.
     QuantityMaps write_probabilities(const FinishedMembers& finished, const OpenRuns& all, const GridSpec& grid,
-                                     const MappedEvents& events, const FrequencySpec& frequency = {}) const;
+                                     const MappedEvents& events) const;
+    /// The same of the rates of a study with a frequency; of depth and velocity also what is exceeded once in so many
+    /// years, with its interval as next bands.
+    RateMaps write_rates(const StudyResult& result, const MappedEvents& events,
+                         const std::vector<double>& periods) const;
 
     /// Itself a lower bound, with the upper one as next band.
     /// @param upper none: the quantile has none

@@ -21,7 +21,6 @@
 #include "app/study/plan/study_input.h"
 #include "app/study/pool/member_runs.h"
 #include "app/study/pool/study_result.h"
-#include "app/study/publish/hazard_curves.h"
 #include "app/study/publish/map_writer.h"
 #include "app/study/publish/study_files.h"
 #include "app/study/publish/study_tables.h"
@@ -44,7 +43,7 @@ std::vector<UnionMember> members_of(const StudyInput& input, const StudyResult& 
     std::vector<UnionMember> members;
     for (std::size_t i = 0; i < result.finished_at.size(); ++i) {
         UnionMember member{result.members[result.finished_at[i]].member, result.finished.records[i], {}};
-        const Slope& slope = input.slopes[member.number];
+        const Slope& slope = input.slope_of(member.number);
         if (scenario && slope.scenario != *scenario) continue;
         member.return_period = slope.return_period;
         members.push_back(std::move(member));
@@ -136,12 +135,21 @@ void publish_unions(StudyInput& input, const StudyResult& result, const ResultDi
         facts.degrees = write_degree(input, worst_degree(all, result.grid, region.degrees), directory);
     if (!region.scenario) return;
     std::map<std::string, bool> scenarios;
-    for (const UnionMember& member : all) scenarios[input.slopes[member.number].scenario] = true;
+    for (const UnionMember& member : all) scenarios[input.slope_of(member.number).scenario] = true;
     std::vector<std::string> names;
     for (const auto& [name, present] : scenarios) names.push_back(name);
     const std::vector<std::string> stems = file_stems(names);
     for (std::size_t i = 0; i < names.size(); ++i)
         write_scenario(input, members_of(input, result, names[i]), result.grid, stems[i], directory);
+}
+
+/// Writes the terrain of a region with a frequency, and what any event reaches.
+void publish_sources(StudyInput& input, const StudyResult& result, const ResultDirectory& directory) {
+    const DepthUnion all = depth_union(members_of(input, result, std::nullopt), result.grid);
+    MapWriter(input.base, directory).write(RasterName::hit_count, all.hits);
+    read_ground_under(all.depth, input.base.scene.terrain);
+    publish_study_ground(input, directory);
+    write_reached(input, all.depth, directory);
 }
 
 namespace fs = std::filesystem;
@@ -194,6 +202,19 @@ PolygonFeature member_feature(const StudyInput& input, const StudyResult& result
     return feature;
 }
 
+/// A slope with the row of its only member, or with how often it fails.
+PolygonFeature slope_feature(const StudyInput& input, const StudyResult& result, std::size_t number) {
+    const Slope& slope = input.slopes[number];
+    if (!result.rates) return member_feature(input, result, result.members[number], slope.outline);
+    PolygonFeature feature;
+    feature.parts = slope.outline;
+    feature.texts = {{"name", slope.name}, {"group", slope.group}, {"reason", slope.problem}};
+    if (const auto& rate = slope.frequency.rate)
+        feature.numbers = {{"annual_rate", rate->value}, {"annual_rate_deviation", rate->deviation}};
+    feature.numbers["source"] = static_cast<double>(number);
+    return feature;
+}
+
 /// Writes the outlines of what finished members reach, each in a raster no larger than that; of a region also every
 /// release polygon, with the status of its slope.
 void write_member_outlines(const StudyInput& input, const StudyResult& result, const std::string& path) {
@@ -208,9 +229,7 @@ void write_member_outlines(const StudyInput& input, const StudyResult& result, c
         traces.features.push_back(
             member_feature(input, result, result.members[result.finished_at[i]], std::move(trace)));
     }
-    for (const MemberRecord& member : result.members)
-        if (!input.slopes.empty())
-            slopes.features.push_back(member_feature(input, result, member, input.slopes[member.member].outline));
+    for (std::size_t i = 0; i < input.slopes.size(); ++i) slopes.features.push_back(slope_feature(input, result, i));
     std::vector<gis::OutlineLayer> layers;
     if (!input.slopes.empty()) layers.push_back(std::move(slopes));
     layers.push_back(std::move(traces));
@@ -337,17 +356,18 @@ StudyOutcome publish_study(StudyInput& input, std::size_t members, std::size_t c
             facts.warnings.insert(facts.warnings.begin(), first);
             input.base.scene.warnings += Warnings{first};
         }
-        if (is_region) {
+        if (is_region && result.rates) {
+            publish_sources(input, result, directory);
+        } else if (is_region) {
             publish_unions(input, result, directory, facts);
         } else {
             publish_study_ground(input, directory);
             figures = sensitivities(input, result);
             publish_study_maps(input, result, directory, facts);
-            if (const auto curves = hazard_curves(input, result, true); !curves.empty())
-                write_text_file(directory.path(k_hazard_curves), hazard_curves_csv(curves));
             facts.rare_place = rare_place_of(input, result);
             warn_of_error(input, result, facts, log);
         }
+        publish_rates(input, result, directory, facts);
         write_member_outlines(input, result, directory.path(k_member_outlines));
         facts.exposure = publish_study_exposure(input, result, map, directory);
         if (facts.exposure) log.info(exposure_sentence(*facts.exposure, exposure_reached_by(input)));

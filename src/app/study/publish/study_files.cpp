@@ -7,6 +7,7 @@
 #include <iterator>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "analysis/trace.h"
@@ -53,7 +54,7 @@ std::string axis_label(const Figure& figure, const Words& words) {
 
 std::optional<render::Chart> exceedance(const ChartData& data, const std::string& title, const MapSource& source) {
     const StudyResult& result = data.result;
-    if (result.figures().empty()) return std::nullopt;
+    if (result.figures().empty() || data.input.spec().region) return std::nullopt;
     const Words& words = source.style.words;
     render::Chart chart =
         chart_sheet(source, title, "", "members.csv", std::min(k_most_panels, result.figures().size()));
@@ -208,6 +209,7 @@ class Builder {
         });
         std::vector<ExposureRow> rows = exposure_rows(layer_, values_, map);
         input_.reading.study.region ? add_sources(rows) : add_probabilities(rows);
+        if (result_.rates) add_rates(rows);
         return rows;
     }
 
@@ -218,8 +220,9 @@ class Builder {
         const bool has_open = result_.open.any();
         for_each_feature(has_open ? result_.open.runs : result_.finished, quantity, result_.grid, cells_, visit);
     }
-    [[nodiscard]] std::size_t member_of(std::size_t record) const {
-        return result_.members[result_.open.any() ? record : result_.finished_at[record]].member;
+    [[nodiscard]] std::size_t source_of(std::size_t record) const {
+        const std::size_t place = result_.open.any() ? record : result_.finished_at[record];
+        return result_.members[place].member / input_.table.draws;
     }
     void greatest(Quantity quantity, double ExposureValues::*member) {
         for_each(quantity, [&](std::size_t feature, Values values) {
@@ -247,22 +250,46 @@ class Builder {
         for (const MappedEvents& events : mapped_events(input_.base.spec))
             add(events.quantity, events.thresholds, events.rasters);
     }
+    void add_rates(std::vector<ExposureRow>& rows) const {
+        const auto add = [&](Quantity quantity, double threshold, const std::string& name) {
+            std::vector<HazardPoint> points(rows.size());
+            for_each_feature(result_.finished, quantity, result_.grid, cells_, [&](std::size_t feature, Values values) {
+                points[feature] = hazard_point(*result_.rates, values, threshold);
+            });
+            if (result_.open.any())
+                for_each(quantity, [&](std::size_t feature, Values runs) {
+                    points[feature].high =
+                        std::max(points[feature].high, hazard_bound(*result_.rates, runs, threshold));
+                });
+            for (std::size_t f = 0; f < rows.size(); ++f)
+                for (const auto& [ending, value] : {std::pair("", points[f].rate), std::pair("_low", points[f].low),
+                                                    std::pair("_high", points[f].high)})
+                    rows[f].numbers.emplace_back(name + ending, rows[f].is_on_map() ? value : k_no_data);
+        };
+        add(Quantity::depth, 0, "annual_rate_reached");
+        for (const MappedEvents& events : mapped_events(input_.base.spec))
+            for (std::size_t t = 0; t < events.thresholds.size(); ++t)
+                add(events.quantity, events.thresholds[t], rate_name(events.rasters[t]));
+    }
     void add_sources(std::vector<ExposureRow>& rows) const {
         for_each(Quantity::depth, [&](std::size_t feature, Values values) {
             ExposureRow& row = rows[feature];
-            const auto count = std::count_if(values.begin(), values.end(), [](float depth) { return depth > 0; });
             const auto worst =
                 static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
-            const std::size_t member = member_of(worst);
-            row.numbers.emplace_back("sources", row.is_on_map() ? static_cast<double>(count) : k_no_data);
-            if (result_.open.any()) {  // those whose full reach is not known may have come, too
-                std::size_t most = 0;
-                for (std::size_t run = 0; run < values.size(); ++run)
-                    most += values[run] > 0 || result_.open.is_open[run] ? 1 : 0;
-                row.numbers.emplace_back("sources_upper", row.is_on_map() ? static_cast<double>(most) : k_no_data);
-            }
-            row.numbers.emplace_back("worst_source", row.is_reached() ? static_cast<double>(member) : k_no_data);
-            row.texts.emplace_back("worst_name", row.is_reached() ? input_.slopes[member].name : "");
+            const std::size_t source = source_of(worst);
+            const auto count = [&](const auto& counts) {
+                std::set<std::size_t> sources;
+                for (std::size_t record = 0; record < values.size(); ++record)
+                    if (counts(record)) sources.insert(source_of(record));
+                return row.is_on_map() ? static_cast<double>(sources.size()) : k_no_data;
+            };
+            row.numbers.emplace_back("sources", count([&](std::size_t record) { return values[record] > 0; }));
+            if (result_.open.any())  // those whose full reach is not known may have come, too
+                row.numbers.emplace_back("sources_upper", count([&](std::size_t record) {
+                                             return values[record] > 0 || result_.open.is_open[record];
+                                         }));
+            row.numbers.emplace_back("worst_source", row.is_reached() ? static_cast<double>(source) : k_no_data);
+            row.texts.emplace_back("worst_name", row.is_reached() ? input_.slopes[source].name : "");
         });
     }
 
@@ -299,19 +326,11 @@ namespace {
 
 /// Of depth and velocity alone.
 void write_quantiles(const StudyResult& result, const QuantityMaps& maps, Quantity quantity, const std::string& name,
-                     const FrequencySpec& frequency, const MapWriter& writer) {
-    std::vector<std::string> files;
-    std::vector<double> fractions;
-    for (const StudyQuantile& quantile : k_study_quantiles)
-        files.push_back("quantile_max_" + name + "_" + quantile.name);
-    for (const double years : frequency.mapped_periods()) {
-        files.push_back("max_" + name + "_T" + shortest_text(years));
-        fractions.push_back(frequency.fraction_below(years));
-    }
+                     const MapWriter& writer) {
     std::vector<std::optional<Raster>> upper;
-    if (result.open.any()) upper = quantile_bounds(result.open, quantity, result.grid, fractions);
+    if (result.open.any()) upper = quantile_bounds(result.open, quantity, result.grid);
     for (std::size_t q = 0; q < maps.quantile.size(); ++q) {
-        const std::string& file = files[q];
+        const std::string file = "quantile_max_" + name + "_" + k_study_quantiles[q].name;
         if (result.open.any())
             writer.write_quantile(file, maps.quantile[q], upper[q]);
         else
@@ -337,6 +356,11 @@ double area_at_least(const Raster& probability, double least, const Raster& marg
     probability.values.for_each_stored(
         [&](std::size_t cell, double value) { cells += value > 0 && value + margins * margin.values[cell] >= least; });
     return static_cast<double>(cells) * probability.grid.cell_area();
+}
+
+Interval interval_at_least(const Raster& probability, double least, const Raster& margin) {
+    return {area_at_least(probability, least, margin), area_at_least(probability, least, margin, -1),
+            area_at_least(probability, least, margin, 1)};
 }
 
 /// extent.gpkg: as publish_ground writes it, with the outlines of the probability.
@@ -379,18 +403,35 @@ void publish_study_ground(const StudyInput& input, const ResultDirectory& direct
     publish_ground(input.base, directory, items);
 }
 
+void publish_rates(const StudyInput& input, const StudyResult& result, const ResultDirectory& directory,
+                   StudyFacts& facts) {
+    if (!result.rates) return;
+    const MapWriter writer(input.base, directory);
+    const std::vector<double> periods = input.spec().frequency.mapped_periods();
+    for (const MappedEvents& events : mapped_events(input.base.spec)) {
+        const RateMaps maps = writer.write_rates(result, events, periods);
+        if (events.quantity != Quantity::depth || maps.rate.empty()) continue;
+        facts.reached_threshold = events.thresholds.front();
+        for (const double years : periods)
+            facts.once_m2.push_back(
+                interval_at_least(maps.rate.front(), (1 - k_weight_rounding) / years, maps.margin.front()));
+    }
+    if (const auto curves = hazard_curves(input, result, true); !curves.empty())
+        write_text_file(directory.path(k_hazard_curves), hazard_curves_csv(curves));
+    if (const std::string parts = disaggregation_csv(input, result); !parts.empty())
+        write_text_file(directory.path(k_disaggregation), parts);
+}
+
 void publish_study_maps(const StudyInput& input, const StudyResult& result, const ResultDirectory& directory,
                         StudyFacts& facts) {
     const OutputSpec& output = input.base.spec.output;
     const MapWriter writer(input.base, directory);
     const std::vector<float> none(result.finished.size());
     facts.least_margin = MeanEstimate(result.finished).probability(none, 0).margin;
-    const FrequencySpec& frequency = input.spec().frequency;
     for (const MappedEvents& events : mapped_events(input.base.spec)) {
-        const QuantityMaps maps =
-            writer.write_probabilities(result.finished, result.open, result.grid, events, frequency);
+        const QuantityMaps maps = writer.write_probabilities(result.finished, result.open, result.grid, events);
         if (events.quantity == Quantity::depth) {
-            write_quantiles(result, maps, events.quantity, "depth", frequency, writer);
+            write_quantiles(result, maps, events.quantity, "depth", writer);
             writer.write(RasterName::hit_count, maps.hits);
             if (!maps.probability.empty()) {
                 write_probability_outlines(input, maps.probability.front(), directory.path(k_outlines_file));
@@ -400,17 +441,10 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
                 for (const StudyQuantile& quantile : k_study_quantiles)
                     facts.reached_m2.push_back(
                         area_at_least(maps.probability.front(), quantile.fraction, maps.margin.front()));
-                for (const double years : frequency.mapped_periods())
-                    facts.once_m2.push_back(area_at_least(maps.probability.front(),
-                                                          1 - frequency.fraction_below(years) - k_weight_rounding,
-                                                          maps.margin.front()));
-                facts.half_reached_m2 = {facts.reached_m2[1],
-                                         area_at_least(maps.probability.front(), 0.5, maps.margin.front(), -1),
-                                         area_at_least(maps.probability.front(), 0.5, maps.margin.front(), 1)};
+                facts.half_reached_m2 = interval_at_least(maps.probability.front(), 0.5, maps.margin.front());
             }
         }
-        if (events.quantity == Quantity::velocity)
-            write_quantiles(result, maps, events.quantity, "velocity", frequency, writer);
+        if (events.quantity == Quantity::velocity) write_quantiles(result, maps, events.quantity, "velocity", writer);
         facts.error.add(maps.errors);
     }
     const QuantityMaps arrival = quantity_maps(result.finished, Quantity::arrival, result.grid, {});
@@ -461,7 +495,7 @@ void draw_study(const StudyInput& input, const StudyResult& result, const std::v
             is_drawn("maps/" + name, log,
                      [&] { drawer.draw(written.map_layer(name), false, written.path("maps/" + name)); });
         }
-        if (!output.charts || input.reading.study.region) return;  // of sources there is no distribution
+        if (!output.charts || (input.spec().region && !result.rates)) return;  // of sources there is no distribution
         make_drawing_folder(written.path("charts"));
         draw_chart_rows(k_charts, ChartData{input, result, figures}, source, written.directory(), output.report, log);
     });

@@ -46,6 +46,11 @@ void publish_study_ground(const StudyInput& input, const ResultDirectory& direct
 void publish_study_maps(const StudyInput& input, const StudyResult& result, const ResultDirectory& directory,
                         StudyFacts& facts);
 
+/// Writes what a frequency makes of the members: rasters of the table of result rasters, hazard curves and what they
+/// are made of. Adds the areas of its return periods to the facts.
+void publish_rates(const StudyInput& input, const StudyResult& result, const ResultDirectory& directory,
+                   StudyFacts& facts);
+
 /// Returns the layers of extent.gpkg that are known before the members run.
 std::vector<gis::OutlineLayer> known_outlines(const StudyInput& input);
 

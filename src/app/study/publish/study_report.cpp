@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numeric>
+#include <set>
 #include <string>
 
 #include "app/pictures/map_layer.h"
@@ -16,6 +17,7 @@
 #include "app/store/result_files.h"
 #include "app/study/plan/study_input.h"
 #include "app/study/pool/study_result.h"
+#include "app/study/publish/map_writer.h"
 #include "app/study/publish/study_files.h"
 #include "app/study/publish/study_tables.h"
 #include "app/text/number_text.h"
@@ -63,29 +65,35 @@ void add_scheme(const StudyFacts& facts, const Words& words, Table& table) {
         for (const auto& [name, value] : rows_of(*facts.scheme_check)) table.row({name.in(words), value.in(words)});
 }
 
+std::string area_text(const Interval& area, const Words& words) {
+    const ReportNumbers number(words);
+    return number.grouped(area.value) +
+           " (95 %: " + words("{1} to {2}", {number.grouped(area.low), number.grouped(area.high)}) + ")";
+}
+
 /// Where the least depth threshold is exceeded with at least some probability.
 void add_areas(const StudyFacts& facts, const Words& words, Table& table) {
     const ReportNumbers number(words);
     for (std::size_t q = facts.reached_m2.size(); q-- > 0;) {
         const double fraction = k_study_quantiles[q].fraction;
         std::string area = number.grouped(facts.reached_m2[q]);
-        if (fraction == 0.5)
-            area += " (95 %: " +
-                    words("{1} to {2}",
-                          {number.grouped(facts.half_reached_m2.low), number.grouped(facts.half_reached_m2.high)}) +
-                    ")";
+        if (fraction == 0.5) area = area_text(facts.half_reached_m2, words);
         table.row({words("Area deeper than {1} m in ≥ {2} % of runs [m²]",
                          {number(facts.reached_threshold), number.percent(fraction)}),
                    area});
     }
 }
 
-/// How often the slope fails, and what that makes of the least depth threshold.
-void add_frequency(const FrequencySpec& frequency, const StudyFacts& facts, const Words& words, Table& table) {
-    if (!frequency.rate) return;
+std::string rate_text(const FrequencySpec::Rate& rate, const ReportNumbers& number) {
+    return number.of_any_size(rate.value) + (rate.deviation > 0 ? " ± " + number.of_any_size(rate.deviation) : "");
+}
+
+/// How often the slopes fail, and what that makes of the least depth threshold.
+void add_frequency(const FrequencySpec& frequency, const StudyResult& result, const StudyFacts& facts,
+                   const Words& words, Table& table) {
+    if (!result.rates) return;
     const ReportNumbers number(words);
-    std::string rate = number(frequency.rate->value);
-    if (frequency.rate->deviation > 0) rate += " ± " + number(frequency.rate->deviation);
+    std::string rate = rate_text(result.rates->of_all(), number);
     if (const auto& volumes = frequency.volumes)
         rate += " (≥ " + number.grouped(volumes->front().volume) + " m³); " +
                 words("larger events count as {1} m³", {number.grouped(volumes->back().volume)});
@@ -95,7 +103,7 @@ void add_frequency(const FrequencySpec& frequency, const StudyFacts& facts, cons
         table.row({with_unit(words("Covered area") + " (> " + number(facts.reached_threshold) + " m), " +
                                  words("once in {1} years", {number.of_any_size(periods[i])}),
                              "m²"),
-                   number.grouped(facts.once_m2[i])});
+                   area_text(facts.once_m2[i], words)});
 }
 
 void add_errors(const StudyInput& input, const StudyFacts& facts, const Words& words, Table& table) {
@@ -126,23 +134,29 @@ Table runs_table(const StudyInput& input, const StudyResult& result, const Study
                                      name_of(study.sampling), std::to_string(study.seed)})});
     add_unfinished(facts, words, table);
     if (!result.finished_at.empty()) {
-        add_frequency(study.frequency, facts, words, table);
+        add_frequency(study.frequency, result, facts, words, table);
         add_areas(facts, words, table);
         add_errors(input, facts, words, table);
     }
     add_scheme(facts, words, table);
     return table.row(
         {words("Limitations"),
-         words(study.frequency.rate
-                   ? k_condition_with_rate
-                   : worded("If the slope fails, for these distributions; errors of the model excluded"))});
+         words(result.rates ? k_condition_with_rate
+                            : worded("If the slope fails, for these distributions; errors of the model excluded"))});
 }
 
 Table region_table(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, const Words& words) {
     const ReportNumbers number(words);
     Table table;
-    table.row({words("Slopes"), words("{1} of {2}, each failing alone", {std::to_string(result.finished_at.size()),
-                                                                         std::to_string(result.members.size())})});
+    std::set<std::size_t> finished;
+    for (const std::size_t at : result.finished_at) finished.insert(result.members[at].member / input.table.draws);
+    table.row({words("Slopes"), words("{1} of {2}, each failing alone",
+                                      {std::to_string(finished.size()), std::to_string(input.slopes.size())})});
+    if (result.rates) {
+        table.row({words("Varied"), varied(input)});
+        table.row(
+            {words("Runs"), std::to_string(result.finished_at.size()) + " / " + std::to_string(result.members.size())});
+    }
     add_unfinished(facts, words, table);
     const auto& figures = result.figures();
     const auto run_out =
@@ -151,18 +165,22 @@ Table region_table(const StudyInput& input, const StudyResult& result, const Stu
         const std::vector<double> values = result.figure(static_cast<std::size_t>(run_out - figures.begin()));
         const auto farthest = static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
         const std::size_t member = result.members[result.finished_at[farthest]].member;
-        const std::string& name = input.slopes[member].name;
+        const std::string& name = input.slope_of(member).name;
         table.row({words("Farthest run-out [m]"),
                    (facts.troubles.any() ? "> " : "") + number.grouped(values[farthest]) + " (" +
                        (name.empty() ? std::to_string(member) : elided(valid_utf8(name), k_name_letters)) + ")"});
-        table.row(
-            {words("Median run-out [m]"), number.grouped(weighted_quantile(values, result.finished.weights, 0.5))});
+        if (!result.rates)
+            table.row(
+                {words("Median run-out [m]"), number.grouped(weighted_quantile(values, result.finished.weights, 0.5))});
     }
+    add_frequency(input.spec().frequency, result, facts, words, table);
     if (!facts.reached_m2.empty())
         table.row({words("Area deeper than {1} m by any slope [m²]", {number(facts.reached_threshold)}),
                    number.grouped(facts.reached_m2.front())});
     add_scheme(facts, words, table);
-    return table.row({words("Limitations"), words("One set of values for each slope; none fails with another")});
+    return table.row({words("Limitations"),
+                      words(result.rates ? k_condition_with_rate
+                                         : worded("One set of values for each slope; none fails with another"))});
 }
 
 Document figures_table(const StudyResult& result, const Words& words) {
@@ -249,10 +267,24 @@ std::string why_open(const MemberEnd& end, const Words& words) {
     return end.is_held ? words("cells without elevation held it") : "";
 }
 
+/// The same of a region with a frequency: how often each slope fails, and how many of its runs finished.
+Document sources_section(const StudyInput& input, const AnnualRates& rates, const Words& words) {
+    const ReportNumbers number(words);
+    Table table({"", words("Slope"), with_unit(words("Annual rate"), "1/a"), words("Runs"), words("reason")});
+    for (std::size_t i = 0; i < std::min(k_most_slopes, rates.sources().size()); ++i) {
+        const Source& source = rates.sources()[i];
+        table.row({std::to_string(i), valid_utf8(source.name), rate_text(source.rate, number),
+                   std::to_string(source.members.size()) + " / " + std::to_string(source.shares.size()),
+                   words(input.slopes[i].problem)});
+    }
+    return Document().heading("slopes", words("Slopes")).add(table);
+}
+
 /// The section of a report with a region's slopes in their order: name, scenario, volume, run-out, greatest depth and
 /// speed, or why a slope failed; the first k_most_slopes of them. Empty for other studies.
 Document slopes_section(const StudyInput& input, const StudyResult& result, const Words& words) {
     if (!input.reading.study.region) return {};
+    if (result.rates) return sources_section(input, *result.rates, words);
     const bool has_scenarios = input.reading.study.region->scenario.has_value(), has_failures = result.failed() > 0;
     const bool has_open = std::any_of(result.members.begin(), result.members.end(), [](const MemberRecord& member) {
         return member.failure.empty() && member.end.is_open();
@@ -265,7 +297,7 @@ Document slopes_section(const StudyInput& input, const StudyResult& result, cons
     Table table(heads);
     for (std::size_t i = 0; i < std::min(k_most_slopes, result.members.size()); ++i) {
         const MemberRecord& member = result.members[i];
-        const Slope& slope = input.slopes[member.member];
+        const Slope& slope = input.slope_of(member.member);
         std::vector<Cell> cells{std::to_string(member.member), valid_utf8(slope.name)};
         if (has_scenarios) cells.push_back(valid_utf8(slope.scenario));
         // The figures of a run that failed are those of another event.
@@ -307,9 +339,10 @@ Table failures_list(const StudyResult& result, const Words& words) {
 /// The map that answers the question of the study first.
 std::vector<std::string> maps_in_order(const StudyInput& input, const ResultDirectory& directory) {
     const std::vector<double>& depths = input.base.spec.output.depth_thresholds;
-    const std::string of_runs = depths.empty() ? "" : "probability_depth_" + shortest_text(depths.front());
+    const std::string of_runs = depths.empty() ? "probability" : "probability_depth_" + shortest_text(depths.front());
     std::vector<std::string> maps = pictures_in(directory.path("maps"));
-    for (const std::string name : {"union_max_depth", RasterName::hazard_degree, of_runs.c_str()}) {
+    for (const std::string& name :
+         {std::string("union_max_depth"), std::string(RasterName::hazard_degree), of_runs, rate_name(of_runs)}) {
         const auto found = std::find_if(maps.begin(), maps.end(),
                                         [&](const std::string& map) { return fs::path(map).stem() == name; });
         if (found != maps.end()) std::rotate(maps.begin(), found, found + 1);

@@ -46,7 +46,7 @@ std::vector<MemberCell> member_row(const StudyInput& input, const StudyResult& r
     text("status", member.failure.empty() ? "finished" : "failed");
     number("weight", shortest_text(input.table.weights[member.member]));
     if (!input.slopes.empty()) {  // what its attributes say
-        const Slope& slope = input.slopes[member.member];
+        const Slope& slope = input.slope_of(member.member);
         text("name", slope.name);
         text("group", slope.group);
         text("scenario", slope.scenario);
@@ -136,15 +136,19 @@ Json figures_json(const StudyResult& result) {
     return json;
 }
 
-Json frequency_json(const FrequencySpec& frequency, const StudyFacts& facts) {
-    Json json{{"rate_per_year", frequency.rate->value}, {"standard_deviation", frequency.rate->deviation}};
+Json frequency_json(const FrequencySpec& frequency, const AnnualRates& rates, const StudyFacts& facts) {
+    Json json{{"rate_per_year", rates.of_all().value}, {"standard_deviation", rates.of_all().deviation}};
+    if (rates.sources().size() > 1) json["sources"] = rates.sources().size();
     if (frequency.volumes)
         for (const FrequencySpec::Volume& one : *frequency.volumes)
             json["volumes"].push_back({{"volume_m3", one.volume}, {"return_period_years", one.years}});
     json["return_periods_years"] = frequency.mapped_periods();
     if (!facts.once_m2.empty()) {
         json["depth_threshold_m"] = facts.reached_threshold;
-        json["area_exceeded_once_m2"] = facts.once_m2;
+        for (const Interval& area : facts.once_m2) {
+            json["area_exceeded_once_m2"].push_back(area.value);
+            json["area_exceeded_once_95_m2"].push_back({area.low, area.high});
+        }
     }
     json["conditional_on"] = k_condition_with_rate;
     return json;
@@ -203,7 +207,7 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
     json["depth_thresholds_m"] = input.base.spec.output.depth_thresholds;
     json["velocity_thresholds_ms"] = input.base.spec.output.velocity_thresholds;
     json["pressure_thresholds_kpa"] = input.base.spec.output.pressure_thresholds;
-    if (study.frequency.rate) json["frequency"] = frequency_json(study.frequency, facts);
+    if (result.rates) json["frequency"] = frequency_json(study.frequency, *result.rates, facts);
     if (const auto& scheme = input.base.spec.hazard.scheme) json["hazard_scheme"] = *scheme;
     if (input.base.friction) {
         const ShownFriction shown = shown_friction(input);

@@ -46,7 +46,7 @@ struct StudyFacts {
     /// Areas deeper than the threshold at some time [m2]: with the probability of each of k_study_quantiles at least;
     /// of sources that fail alone one value, that of all of them. Empty: there is no such map.
     std::vector<double> reached_m2;
-    std::vector<double> once_m2;      ///< area deeper than the threshold once in each return period of the frequency
+    std::vector<Interval> once_m2;    ///< area deeper than the threshold once in each return period of the frequency
     Interval half_reached_m2;         ///< the area with 50 %, where the interval of its probability allows it
     double reached_threshold = 0;     ///< [m]
     std::vector<HazardArea> degrees;  ///< of hazard, of a region with return periods

@@ -34,20 +34,35 @@ CellWindow reached_window(const FinishedMembers& members, const GridSpec& grid) 
     return all;
 }
 
-void for_each_reached_cell(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
-                           const std::function<void(std::size_t cell, std::span<const float> values)>& visit) {
+void for_each_hit_cell(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
+                       const std::function<void(std::size_t cell, std::span<const CellStore::Value> hits)>& visit) {
     if (members.size() == 0) return;
     const auto store = members.store ? members.store : std::make_shared<CellStore>(members.records);
+    constexpr auto k_none = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> places;  // among the members, by column
+    for (std::size_t m = 0; m < members.size(); ++m) {
+        const std::size_t column = members.columns.empty() ? m : members.columns[m];
+        if (places.size() <= column) places.resize(column + 1, k_none);
+        places[column] = static_cast<std::uint32_t>(m);
+    }
+    std::vector<CellStore::Value> hits;
+    store->for_each_cell(quantity, grid, [&](std::size_t cell, std::span<const CellStore::Value> all) {
+        hits.clear();
+        for (const auto& [record, value] : all)
+            if (record < places.size() && places[record] != k_none && !std::isnan(value))
+                hits.push_back({places[record], value});
+        if (!hits.empty()) visit(cell, hits);
+    });
+}
+
+void for_each_reached_cell(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
+                           const std::function<void(std::size_t cell, std::span<const float> values)>& visit) {
     const float nothing = quantity == Quantity::arrival ? std::numeric_limits<float>::infinity() : 0.0F;
-    std::vector<float> values(members.size());
-    store->for_each_cell(quantity, grid, [&](std::size_t cell, std::span<const float> all) {
-        bool is_reached = false;
-        for (std::size_t m = 0; m < values.size(); ++m) {
-            const float value = all[members.columns.empty() ? m : members.columns[m]];
-            is_reached = is_reached || !std::isnan(value);
-            values[m] = std::isnan(value) ? nothing : value;
-        }
-        if (is_reached) visit(cell, values);
+    std::vector<float> values(members.size(), nothing);
+    for_each_hit_cell(members, quantity, grid, [&](std::size_t cell, std::span<const CellStore::Value> hits) {
+        for (const CellStore::Value& hit : hits) values[hit.record] = hit.value;
+        visit(cell, values);
+        for (const CellStore::Value& hit : hits) values[hit.record] = nothing;
     });
 }
 

@@ -46,6 +46,11 @@ struct OpenRuns {
 /// Returns the probability that a value exceeds a threshold if every open run exceeds it.
 double upper_bound(const OpenRuns& runs, std::span<const float> values, double threshold);
 
+/// Calls visit(cell, hits) for every cell of a grid that any member reached, in order of cells; hits are the values of
+/// those that came, by place among the members. Otherwise as for_each_reached_cell().
+void for_each_hit_cell(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
+                       const std::function<void(std::size_t cell, std::span<const CellStore::Value> hits)>& visit);
+
 /// Calls visit(cell, values) for every cell of a grid that any member reached, in order of cells; values has one number
 /// for each member, 0 (arrival: infinity) where it did not come.
 /// Memory is bounded by a budget, whatever the number of members and cells, and each

@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <limits>
 #include <utility>
 
 #include "core/error.h"
@@ -134,17 +133,12 @@ CellStore::Piece CellStore::piece(const Batch& batch, std::size_t tile, std::siz
 }
 
 void CellStore::for_each_cell(Quantity quantity, const GridSpec& grid,
-                              const std::function<void(std::size_t cell, std::span<const float> values)>& visit) {
+                              const std::function<void(std::size_t cell, std::span<const Value> values)>& visit) {
     load(grid);
     const auto stored =
         static_cast<std::size_t>(std::find(std::begin(k_stored), std::end(k_stored), quantity) - std::begin(k_stored));
-    struct Value {
-        std::uint32_t record;
-        float value;
-    };
     std::vector<Value> sorted;          // by cell
     std::vector<std::uint64_t> begins;  // of each cell's
-    std::vector<float> row(records_.size(), std::numeric_limits<float>::quiet_NaN());
     for (std::size_t tile = 0; tile + 1 < batches_.front().begins.size(); ++tile) {
         std::vector<Piece> pieces;
         for (const Batch& batch : batches_)
@@ -161,10 +155,7 @@ void CellStore::for_each_cell(Quantity quantity, const GridSpec& grid,
                 sorted[next[one.cells[i]]++] = {one.records[i], one.values[i]};
         for (std::size_t cell = 0; cell < tile_cells_; ++cell) {
             const std::span<const Value> values(sorted.data() + begins[cell], begins[cell + 1] - begins[cell]);
-            if (values.empty()) continue;
-            for (const Value& one : values) row[one.record] = one.value;
-            visit(tile * tile_cells_ + cell, row);
-            for (const Value& one : values) row[one.record] = std::numeric_limits<float>::quiet_NaN();
+            if (!values.empty()) visit(tile * tile_cells_ + cell, values);
         }
     }
 }

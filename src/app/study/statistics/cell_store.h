@@ -29,11 +29,15 @@ class CellStore {
     CellStore(const CellStore&) = delete;
     CellStore& operator=(const CellStore&) = delete;
 
-    /// Calls visit(cell, values) for every cell of the grid that any record reached, in order of cells; values has one
-    /// number for each record, NaN where it did not come. Throws Error(environment) for a record that cannot be read
-    /// and a file that cannot be written.
+    struct Value {
+        std::uint32_t record = 0;
+        float value = 0;
+    };
+    /// Calls visit(cell, values) for every cell of the grid that any record reached, in order of cells; values has
+    /// those of the records that came, in their order. Throws Error(environment) for a record that cannot be read and a
+    /// file that cannot be written.
     void for_each_cell(Quantity quantity, const GridSpec& grid,
-                       const std::function<void(std::size_t cell, std::span<const float> values)>& visit);
+                       const std::function<void(std::size_t cell, std::span<const Value> values)>& visit);
 
     /// Bytes that may be in memory at once, for a batch and for a tile.
     static constexpr std::size_t k_budget_bytes = 256'000'000;

@@ -103,19 +103,11 @@ Arrived arrived_of(std::span<const float> values, const std::vector<double>& wei
     return arrived;
 }
 
-std::vector<double> study_fractions(const std::vector<double>& more) {
-    std::vector<double> all;
-    for (const StudyQuantile& quantile : k_study_quantiles) all.push_back(quantile.fraction);
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-}
-
-/// Returns the value of quantile q of a cell; NaN: it has none.
-double quantile_at(std::span<const float> values, const std::vector<double>& weights,
-                   const std::vector<double>& fractions, std::size_t q, std::vector<std::size_t>& order) {
-    const double value =
-        fractions[q] < -k_weight_rounding ? 0 : weighted_quantile(values, weights, fractions[q], order);
-    return value > 0 || q >= std::size(k_study_quantiles) ? value : k_no_data;
+/// Returns the value of quantile q of a cell; NaN where that is 0.
+double quantile_at(std::span<const float> values, const std::vector<double>& weights, std::size_t q,
+                   std::vector<std::size_t>& order) {
+    const double value = weighted_quantile(values, weights, k_study_quantiles[q].fraction, order);
+    return value > 0 ? value : k_no_data;
 }
 
 }  // namespace
@@ -154,9 +146,8 @@ double ErrorSummary::mean() const {
 }
 
 QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
-                           const std::vector<double>& thresholds, const std::vector<double>& more) {
+                           const std::vector<double>& thresholds) {
     QuantityMaps maps;
-    const std::vector<double> fractions = study_fractions(more);
     const bool arrival = quantity == Quantity::arrival,
                has_distribution = quantity == Quantity::depth || quantity == Quantity::velocity;
     const MeanEstimate estimate(members);
@@ -167,7 +158,7 @@ QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, co
         maps.margin.assign(thresholds.size(), Raster(grid, margin));
     }
     if (has_distribution) maps.hits = Raster(grid, k_no_data);
-    if (has_distribution || arrival) maps.quantile.assign(fractions.size(), Raster(grid, k_no_data));
+    if (has_distribution || arrival) maps.quantile.assign(std::size(k_study_quantiles), Raster(grid, k_no_data));
     if (members.size() == 0) return maps;
     std::vector<std::size_t> order;
     for_each_reached_cell(members, quantity, grid, [&](std::size_t cell, std::span<const float> values) {
@@ -185,8 +176,8 @@ QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, co
             maps.errors.add(probability);
         }
         if (!has_distribution) return;
-        for (std::size_t q = 0; q < fractions.size(); ++q)
-            if (const double value = quantile_at(values, members.weights, fractions, q, order); !std::isnan(value))
+        for (std::size_t q = 0; q < maps.quantile.size(); ++q)
+            if (const double value = quantile_at(values, members.weights, q, order); !std::isnan(value))
                 maps.quantile[q].values[cell] = value;
         maps.hits.values[cell] =
             static_cast<double>(std::count_if(values.begin(), values.end(), [](float v) { return v > 0; }));
@@ -206,15 +197,13 @@ std::vector<Raster> probability_bounds(const std::vector<Raster>& probability, c
     return bounds;
 }
 
-std::vector<std::optional<Raster>> quantile_bounds(const OpenRuns& runs, Quantity quantity, const GridSpec& grid,
-                                                   const std::vector<double>& more) {
-    const std::vector<double> fractions = study_fractions(more);
+std::vector<std::optional<Raster>> quantile_bounds(const OpenRuns& runs, Quantity quantity, const GridSpec& grid) {
     double open = 0;
     for (std::size_t m = 0; m < runs.is_open.size(); ++m) open += runs.is_open[m] ? runs.runs.weights[m] : 0;
     std::vector<std::optional<Raster>> bounds;
-    for (const double fraction : fractions)
-        bounds.push_back(open > 1 - fraction + k_weight_rounding ? std::nullopt
-                                                                 : std::optional(Raster(grid, k_no_data)));
+    for (const StudyQuantile& quantile : k_study_quantiles)
+        bounds.push_back(open > 1 - quantile.fraction + k_weight_rounding ? std::nullopt
+                                                                          : std::optional(Raster(grid, k_no_data)));
     std::vector<std::size_t> order;
     std::vector<float> extreme;
     for_each_reached_cell(runs.runs, quantity, grid, [&](std::size_t cell, std::span<const float> values) {
@@ -223,7 +212,7 @@ std::vector<std::optional<Raster>> quantile_bounds(const OpenRuns& runs, Quantit
             if (runs.is_open[m]) extreme[m] = std::numeric_limits<float>::infinity();
         for (std::size_t q = 0; q < bounds.size(); ++q) {
             if (!bounds[q]) continue;
-            const double value = quantile_at(extreme, runs.runs.weights, fractions, q, order);
+            const double value = quantile_at(extreme, runs.runs.weights, q, order);
             if (!std::isnan(value)) bounds[q]->values[cell] = value;
         }
     });

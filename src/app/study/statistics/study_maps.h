@@ -65,15 +65,14 @@ struct QuantityMaps {
     std::vector<Raster> probability;  ///< of exceeding each threshold
     std::vector<Raster> margin;       ///< Estimate::margin
     ErrorSummary errors;              ///< of all thresholds
-    std::vector<Raster> quantile;  ///< for each of k_study_quantiles; NaN where it is 0; then others, which are 0 there
-    Raster hits;                   ///< number of members that came
+    std::vector<Raster> quantile;     ///< for each of k_study_quantiles; NaN where it is 0
+    Raster hits;                      ///< number of members that came
 };
 
 /// Of depth and velocity. For arrival only the quantiles are made, among the members that came; of pressure and
 /// intensity only the probabilities.
-/// @param more other quantiles; of less than 0 the value is 0
 QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
-                           const std::vector<double>& thresholds, const std::vector<double>& more = {});
+                           const std::vector<double>& thresholds);
 
 /// Returns the probabilities if each open run exceeds everything, everywhere, for material behind may push its front
 /// farther and higher than it had energy when it was cut; they are at least the probability itself.
@@ -81,10 +80,9 @@ QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, co
 std::vector<Raster> probability_bounds(const std::vector<Raster>& probability, const OpenRuns& runs, Quantity quantity,
                                        const std::vector<double>& thresholds, const GridSpec& grid);
 
-/// Returns an upper bound of each of k_study_quantiles of depth or velocity, then of others as quantity_maps(). None
-/// for a quantile beyond the weight of the runs that are not open.
-std::vector<std::optional<Raster>> quantile_bounds(const OpenRuns& runs, Quantity quantity, const GridSpec& grid,
-                                                   const std::vector<double>& more = {});
+/// Returns an upper bound of each of k_study_quantiles of depth or velocity. None for a quantile beyond the weight of
+/// the runs that are not open.
+std::vector<std::optional<Raster>> quantile_bounds(const OpenRuns& runs, Quantity quantity, const GridSpec& grid);
 
 /// The standard errors alone, of one quantity and all thresholds, without keeping maps.
 ErrorSummary error_of(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,

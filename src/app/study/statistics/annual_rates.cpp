@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/study/statistics/annual_rates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace frana::app::study {
+namespace {
+
+double square(double value) {
+    return value * value;
+}
+
+double squares_of(const FrequencySpec::Rate& rate, double margin) {
+    return square(rate.value * margin) + square(rate.deviation * margin);
+}
+
+/// The greatest value for which those that exceed it stand for no more than a rate.
+double value_exceeded(std::vector<CellStore::Value> hits, const std::vector<double>& rates, double so_far,
+                      double rate) {
+    std::sort(hits.begin(), hits.end(), [](const auto& a, const auto& b) {
+        return a.value != b.value ? a.value > b.value : a.record < b.record;
+    });
+    const double most = rate * (1 + k_weight_rounding);
+    for (const auto& [member, value] : hits)
+        if ((so_far += rates[member]) > most) return std::max(0.0, static_cast<double>(value));
+    return 0;
+}
+
+}  // namespace
+
+AnnualRates::AnnualRates(std::vector<Source> sources, bool is_common_rate, std::vector<bool> is_open)
+    : sources_(std::move(sources)), is_open_(std::move(is_open)), is_common_rate_(is_common_rate) {
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+        const Source& source = sources_[i];
+        const MeanEstimate& estimate = estimates_.emplace_back(source.members);
+        for (const double weight : source.members.weights) {
+            source_of_.push_back(i);
+            member_rates_.push_back(source.rate.value * weight);
+        }
+        for (const double share : source.shares) {
+            open_rate_ += is_open_[run_rates_.size()] ? source.rate.value * share : 0;
+            run_rates_.push_back(source.rate.value * share);
+        }
+        if (source.members.size() == 0) continue;
+        const std::vector<float> nothing(source.members.size());
+        nowhere_ = std::max(nowhere_, std::sqrt(squares_of(source.rate, estimate.probability(nothing, 0).margin)));
+    }
+}
+
+FrequencySpec::Rate AnnualRates::of_all() const {
+    FrequencySpec::Rate all;
+    double sum = 0, squares = 0;
+    for (const Source& source : sources_) {
+        all.value += source.rate.value;
+        sum += source.rate.deviation;
+        squares += square(source.rate.deviation);
+    }
+    all.deviation = is_common_rate_ ? sum : std::sqrt(squares);
+    return all;
+}
+
+template <class Visit>
+void AnnualRates::for_each_source(Hits hits, double threshold, const Visit& visit) const {
+    std::vector<float> values;
+    for (std::size_t begin = 0, end = 0; begin < hits.size(); begin = end) {
+        const std::size_t source = source_of_[hits[begin].record];
+        values.assign(sources_[source].members.size(), 0);
+        for (; end < hits.size() && source_of_[hits[end].record] == source; ++end)
+            values[hits[end].record - sources_[source].first] = hits[end].value;
+        visit(source, estimates_[source].probability(values, threshold));
+    }
+}
+
+AnnualRate AnnualRates::exceeded(Hits hits, double threshold) const {
+    if (hits.empty()) return {0, nowhere_};
+    double value = 0, squares = 0, sum = 0, of_rates = 0;
+    for_each_source(hits, threshold, [&](std::size_t source, const Estimate& probability) {
+        const FrequencySpec::Rate& rate = sources_[source].rate;
+        const double spread = k_normal * rate.deviation * probability.value;
+        value += rate.value * probability.value;
+        squares += squares_of(rate, probability.margin);
+        sum += spread;
+        of_rates += square(spread);
+    });
+    return {value, std::sqrt(squares + (is_common_rate_ ? square(sum) : of_rates))};
+}
+
+std::vector<double> AnnualRates::by_source(Hits hits, double threshold) const {
+    std::vector<double> all(sources_.size());
+    for_each_source(hits, threshold, [&](std::size_t source, const Estimate& probability) {
+        all[source] = sources_[source].rate.value * probability.value;
+    });
+    return all;
+}
+
+double AnnualRates::bound(Hits runs, double threshold) const {
+    double rate = open_rate_;
+    for (const auto& [run, value] : runs)
+        if (!is_open_[run] && static_cast<double>(value) > threshold) rate += run_rates_[run];
+    return rate;
+}
+
+double AnnualRates::value_at(Hits hits, double rate) const {
+    return value_exceeded({hits.begin(), hits.end()}, member_rates_, 0, rate);
+}
+
+double AnnualRates::bound_at(Hits runs, double rate) const {
+    if (open_rate_ > rate * (1 + k_weight_rounding)) return std::numeric_limits<double>::infinity();
+    std::vector<CellStore::Value> ended(runs.begin(), runs.end());
+    std::erase_if(ended, [&](const auto& hit) { return is_open_[hit.record]; });
+    return value_exceeded(std::move(ended), run_rates_, open_rate_, rate);
+}
+
+RateMaps rate_maps(const AnnualRates& rates, const FinishedMembers& finished, const FinishedMembers& runs,
+                   Quantity quantity, const GridSpec& grid, const std::vector<double>& thresholds,
+                   const std::vector<double>& periods) {
+    RateMaps maps;
+    maps.rate.assign(thresholds.size(), Raster(grid));
+    maps.margin.assign(thresholds.size(), Raster(grid, rates.exceeded({}, 0).margin));
+    if (rates.has_open()) maps.upper.assign(thresholds.size(), Raster(grid, rates.bound({}, 0)));
+    const Raster nothing(grid, k_no_data);
+    maps.once.assign(periods.size(), {nothing, nothing, nothing});
+    for_each_hit_cell(finished, quantity, grid, [&](std::size_t cell, Hits hits) {
+        for (std::size_t t = 0; t < thresholds.size(); ++t) {
+            const AnnualRate rate = rates.exceeded(hits, thresholds[t]);
+            maps.rate[t].values[cell] = rate.value;
+            maps.margin[t].values[cell] = rate.margin;
+        }
+        for (std::size_t i = 0; i < periods.size(); ++i) {
+            const double once = 1 / periods[i], value = rates.value_at(hits, once),
+                         margin = rates.exceeded(hits, value).margin;
+            maps.once[i].value.values[cell] = value;
+            maps.once[i].low.values[cell] = rates.value_at(hits, once + margin);
+            maps.once[i].high.values[cell] = once > margin ? rates.value_at(hits, once - margin) : k_no_data;
+        }
+    });
+    if (!rates.has_open()) return maps;
+    for_each_hit_cell(runs, quantity, grid, [&](std::size_t cell, Hits hits) {
+        for (std::size_t t = 0; t < thresholds.size(); ++t)
+            maps.upper[t].values[cell] = std::max(maps.rate[t].values[cell], rates.bound(hits, thresholds[t]));
+        for (std::size_t i = 0; i < periods.size(); ++i) {
+            double& high = maps.once[i].high.values[cell];
+            const double bound = rates.bound_at(hits, 1 / periods[i]);
+            high = std::isnan(high) || std::isinf(bound) ? k_no_data : std::max(high, bound);
+        }
+    });
+    return maps;
+}
+
+}  // namespace frana::app::study

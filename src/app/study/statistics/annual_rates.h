@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/study/statistics/cell_statistics.h"
+#include "app/study/study_spec.h"
+#include "core/raster.h"
+
+namespace frana::app::study {
+
+/// A slope with how often it fails, and its runs.
+struct Source {
+    std::string name;
+    FrequencySpec::Rate rate;
+    FinishedMembers members;     ///< finished ones; weights with the sum 1
+    std::size_t first = 0;       ///< place of the first of them among the finished members of all sources
+    std::vector<double> shares;  ///< of all its runs, in their order: weights with the sum 1
+};
+
+/// The values of those members, or runs, that came to a place, in order of their places.
+using Hits = std::span<const CellStore::Value>;
+
+/// Events a year, and half of the interval of 95 %.
+struct AnnualRate {
+    double value = 0, margin = 0;
+};
+
+/// How often something happens that any of several sources may cause, each failing alone.
+///
+/// Of sources i with the rates r_i, of standard deviation s_i, and the probabilities p_i of margin m_i (MeanEstimate)
+///
+///     value = sum r_i p_i,    margin^2 = sum (r_i m_i)^2 + (1.96 s_i p_i)^2 + (s_i m_i)^2
+///
+/// over the sources of which a run came to the place; for one rate of all, known no better for one than for the other,
+/// the second term is (sum 1.96 s_i p_i)^2. Where no run came the margin is the greatest that a source alone has.
+class AnnualRates {
+  public:
+    /// @param is_open of each run of all sources, in their order (OpenRuns)
+    AnnualRates(std::vector<Source> sources, bool is_common_rate, std::vector<bool> is_open);
+    AnnualRates(const AnnualRates&) = delete;  // estimates refer to its sources
+    AnnualRates& operator=(const AnnualRates&) = delete;
+
+    [[nodiscard]] const std::vector<Source>& sources() const noexcept { return sources_; }
+    [[nodiscard]] FrequencySpec::Rate of_all() const;
+    [[nodiscard]] bool has_open() const noexcept { return open_rate_ > 0; }
+
+    /// How often a value exceeds a threshold.
+    [[nodiscard]] AnnualRate exceeded(Hits hits, double threshold) const;
+    /// The same of each source.
+    [[nodiscard]] std::vector<double> by_source(Hits hits, double threshold) const;
+    /// How often it may, if every open run exceeds it.
+    /// @param runs hits of all runs, not of the finished members alone
+    [[nodiscard]] double bound(Hits runs, double threshold) const;
+    /// The value that is exceeded so often, 0 where what comes is rarer.
+    [[nodiscard]] double value_at(Hits hits, double rate) const;
+    /// The same of all runs if every open run exceeds it; infinite: it has no bound.
+    [[nodiscard]] double bound_at(Hits runs, double rate) const;
+
+  private:
+    /// Calls visit(source, probability) for the sources of the hits.
+    template <class Visit>
+    void for_each_source(Hits hits, double threshold, const Visit& visit) const;
+
+    std::vector<Source> sources_;
+    std::vector<MeanEstimate> estimates_;
+    std::vector<std::size_t> source_of_;            ///< by finished member
+    std::vector<double> member_rates_, run_rates_;  ///< events a year for which each stands
+    std::vector<bool> is_open_;
+    bool is_common_rate_;
+    double nowhere_ = 0, open_rate_ = 0;
+};
+
+/// What an AnnualRates says of one quantity, cell by cell.
+struct RateMaps {
+    std::vector<Raster> rate, margin;  ///< of exceeding each threshold; 0 and a margin where no run came
+    std::vector<Raster> upper;         ///< likewise, with open runs; empty: there are none
+    struct Once {
+        Raster value, low, high;  ///< NaN where no run came; high: also where it has no bound
+    };
+    std::vector<Once> once;  ///< what is exceeded once in each period, with its interval of 95 %
+};
+
+/// @param finished, runs of the sources of `rates`, all together
+RateMaps rate_maps(const AnnualRates& rates, const FinishedMembers& finished, const FinishedMembers& runs,
+                   Quantity quantity, const GridSpec& grid, const std::vector<double>& thresholds,
+                   const std::vector<double>& periods);
+
+}  // namespace frana::app::study
