@@ -11,13 +11,14 @@
 namespace frana {
 namespace {
 
-constexpr std::array<HazardQuantityRow, 6> k_quantities{{
+constexpr std::array<HazardQuantityRow, 7> k_quantities{{
     {"depth", "m", worded("depth"), "m"},
     {"velocity", "m/s", worded("speed"), "m/s"},
     {"flux", "m2/s", worded("depth \u00D7 speed"), "m\u00B2/s"},
     {"head", "m", worded("energy head"), "m"},
     {"pressure", "kPa", worded("pressure"), "kPa"},
     {"deposit", "m", worded("deposit"), "m"},
+    {"momentum-flux", "m3/s2", worded("momentum flux"), "m\u00B3/s\u00B2"},
 }};
 
 const HazardQuantityRow& row_of(HazardQuantity quantity) {
@@ -122,8 +123,9 @@ bool HazardScheme::uses(HazardQuantity quantity) const {
 }
 
 Raster hazard_classes(const HazardScheme& scheme, const HazardQuantities& quantities) {
-    const std::array<const Raster*, 6> rasters{&quantities.depth, &quantities.velocity, &quantities.flux,
-                                               &quantities.head,  &quantities.pressure, &quantities.deposit};
+    const std::array<const Raster*, 7> rasters{&quantities.depth,   &quantities.velocity, &quantities.flux,
+                                               &quantities.head,    &quantities.pressure, &quantities.deposit,
+                                               &quantities.momentum};
     Raster classes = reached_raster(quantities.depth.grid, k_no_data);
     const bool has_depths = scheme.has_depths();
     quantities.depth.values.for_each_stored([&](std::size_t cell, double depth) {

@@ -21,10 +21,11 @@ struct HazardQuantities {
     const Raster& head;      ///< greatest sum of depth and v^2 / 2g at one moment [m]
     const Raster& pressure;  ///< greatest dynamic pressure [kPa]
     const Raster& deposit;   ///< depth at the end [m]
+    const Raster& momentum;  ///< greatest product of depth and squared speed at one moment [m3/s2]
 };
 
 /// One of them, by its place.
-enum class HazardQuantity { depth, velocity, flux, head, pressure, deposit };
+enum class HazardQuantity { depth, velocity, flux, head, pressure, deposit, momentum };
 struct HazardQuantityRow {
     const char *key, *unit;    ///< as conditions name it: "flux", "m2/s"
     const char *words, *sign;  ///< as people read it: "depth \u00D7 speed", "m\u00B2/s"

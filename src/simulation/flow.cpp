@@ -359,16 +359,18 @@ Raster Flow::jump_height() const {
 std::vector<NamedRaster> Flow::low_flights() const {
     const Maxima& low = state_.flights.low();
     const Raster depth = to_raster(low.depth), velocity = to_raster(low.speed);
-    Raster flux = depth, head = depth;
+    Raster flux = depth, head = depth, momentum = depth;
     depth.values.for_each_stored([&](std::size_t cell, double deep) {
         const double speed = velocity.values[cell];
         flux.values[cell] = deep * speed;
         head.values[cell] = deep + speed * speed / (2 * laws_.gravity);
+        momentum.values[cell] = deep * speed * speed;
     });
     return {{RasterName::max_depth, depth},
             {RasterName::max_velocity, velocity},
             {RasterName::max_flux, flux},
             {RasterName::max_head, head},
+            {RasterName::max_momentum_flux, momentum},
             {RasterName::max_pressure, max_pressure(velocity)},
             {RasterName::arrival_time, to_raster(low.arrival_plus_1, 1)}};
 }

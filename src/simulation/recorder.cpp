@@ -21,7 +21,10 @@ constexpr Peak k_peaks[] = {
      [](double) { return 0.0; }},
     {RasterName::max_head,
      [](const NodeState& state, double gravity) { return state.depth + state.speed * state.speed / (2 * gravity); },
-     [](double max_depth) { return max_depth; }}};
+     [](double max_depth) { return max_depth; }},
+    {RasterName::max_momentum_flux,
+     [](const NodeState& state, double) { return state.depth * state.speed * state.speed; },
+     [](double) { return 0.0; }}};
 
 }  // namespace
 

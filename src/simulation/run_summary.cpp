@@ -52,9 +52,10 @@ Raster intensity_classes(const RunResult& result, const HazardScheme& scheme) {
     const auto recorded = [&](const char* name) -> const Raster& {
         return reached(result.find_raster(name) ? name : RasterName::max_depth);
     };
-    return hazard_classes(scheme, {reached(RasterName::max_depth), reached(RasterName::max_velocity),
-                                   recorded(RasterName::max_flux), recorded(RasterName::max_head),
-                                   reached(RasterName::max_pressure), result.raster(RasterName::final_depth)});
+    return hazard_classes(
+        scheme, {reached(RasterName::max_depth), reached(RasterName::max_velocity), recorded(RasterName::max_flux),
+                 recorded(RasterName::max_head), reached(RasterName::max_pressure),
+                 result.raster(RasterName::final_depth), recorded(RasterName::max_momentum_flux)});
 }
 
 namespace {

@@ -63,9 +63,11 @@ void set_values(const SceneSpec& spec, Scene& scene) {
     scene.time.frame_interval = frame_interval(spec);
     scene.recording.interval = spec.output.sample_interval.value_or(0);
     scene.recording.normal_depth = spec.output.depth == k_normal_depth;
-    // Depth times speed and the energy head are recorded for the schemes that use them.
+    // What is of one moment is recorded where somebody uses it.
     const auto& scheme = spec.hazard.resolved;
-    scene.recording.intensity = scheme && (scheme->uses(HazardQuantity::flux) || scheme->uses(HazardQuantity::head));
+    scene.recording.intensity = !spec.output.rasters.empty() || !spec.output.momentum_flux_thresholds.empty() ||
+                                (scheme && (scheme->uses(HazardQuantity::flux) || scheme->uses(HazardQuantity::head) ||
+                                            scheme->uses(HazardQuantity::momentum)));
 }
 
 void set_uniform_details(const ReleaseSpec& spec, ReleaseArea& area) {

@@ -232,8 +232,8 @@ Raster elevation_change(const RunResult& result, const Raster& release) {
 
 void make_normal(std::vector<NamedRaster>& rasters, const Raster& bed) {
     for (NamedRaster& raster : rasters)
-        if (const ResultRaster& row = *find_result_raster(raster.name); row.is_flow_depth || row.unit == "m2/s")
-            raster.values = normal_depth(raster.values, bed);  // or depth times speed
+        if (const ResultRaster& row = *find_result_raster(raster.name); row.is_flow_depth || row.of_depth)
+            raster.values = normal_depth(raster.values, bed);
 }
 
 Stopwatch started() {

@@ -22,6 +22,7 @@
 #include "app/study/pool/study_result.h"
 #include "app/study/publish/publish_calibration.h"
 #include "app/study/publish/publish_study.h"
+#include "app/study/publish/study_exposure.h"
 #include "app/study/publish/study_files.h"
 #include "app/study/record_files.h"
 #include "app/study/statistics/importance.h"

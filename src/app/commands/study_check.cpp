@@ -19,6 +19,7 @@
 #include "app/study/plan/calibration_input.h"
 #include "app/study/plan/region_input.h"
 #include "app/study/publish/scheme_check.h"
+#include "app/study/publish/study_exposure.h"
 #include "app/study/publish/study_files.h"
 #include "app/text/number_text.h"
 #include "app/text/text_table.h"

@@ -26,6 +26,8 @@ struct ExposureTotals {
     bool has_count = false;
     bool is_least = false;                  ///< the full reach of the flow, or of some run, is not known
     std::vector<ReachedFeature> deepest{};  ///< the deepest first, k_most_named at most
+    /// Titles and names of further numbers of a row that reports show.
+    std::vector<std::pair<std::string, std::string>> more_columns{};
 };
 
 /// Features that a report names; exposure.csv has all.

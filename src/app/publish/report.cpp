@@ -237,6 +237,7 @@ Document exposure_section(const std::optional<ExposureTotals>& totals, const Wor
         if (value_of(totals->deepest.front(), column.key)) shown.push_back(column);
     std::vector<std::string> heads{words("Exposed features")};
     for (const ShownColumn& column : shown) heads.push_back(with_unit(words(column.title), column.unit));
+    for (const auto& [title, name] : totals->more_columns) heads.push_back(title);
     Table table(heads);
     for (const ReachedFeature& feature : totals->deepest) {
         std::vector<Cell> cells{valid_utf8(feature.name)};
@@ -244,6 +245,8 @@ Document exposure_section(const std::optional<ExposureTotals>& totals, const Wor
             const double value = column.factor * value_of(feature, column.key).value_or(k_no_data);
             cells.push_back(std::isnan(value) ? "" : words.number(number_text(value, column.digits)));
         }
+        for (const auto& [title, name] : totals->more_columns)
+            cells.push_back(words.number(number_text(value_of(feature, name).value_or(0), 3)));
         table.row(cells);
     }
     const std::string all =

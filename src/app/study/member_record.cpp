@@ -22,13 +22,13 @@ namespace frana::app::study {
 namespace {
 
 /// Increases with every change of what a record contains.
-constexpr std::uint32_t k_format = 5;
+constexpr std::uint32_t k_format = 6;
 constexpr std::size_t k_head_bytes = RecordHead::k_bytes - sizeof MemberRecord::member;
 
 /// By Quantity.
-constexpr std::vector<float> MemberRecord::*k_values[] = {&MemberRecord::depth,     &MemberRecord::velocity,
-                                                          &MemberRecord::arrival,   &MemberRecord::pressure,
-                                                          &MemberRecord::intensity, &MemberRecord::deposit};
+constexpr std::vector<float> MemberRecord::*k_values[] = {
+    &MemberRecord::depth,     &MemberRecord::velocity, &MemberRecord::arrival, &MemberRecord::pressure,
+    &MemberRecord::intensity, &MemberRecord::deposit,  &MemberRecord::momentum};
 
 void add_bytes(std::string& bytes, const void* from, std::size_t count) {
     bytes.append(static_cast<const char*>(from), count);
@@ -158,6 +158,7 @@ MemberRecord record_of(std::uint64_t member, const RunResult& result, const Scen
     const ReachedPlaces reached(result);
     add_cells(reached, record);
     if (extras.pressure) record.pressure = values_at(record, reached(RasterName::max_pressure));
+    if (extras.momentum) record.momentum = values_at(record, reached(RasterName::max_momentum_flux));
     if (extras.scheme) record.intensity = values_at(record, intensity_classes(result, *extras.scheme));
     if (extras.deposit == Deposit::elevation_change)
         record.deposit = values_at(record, result.raster(RasterName::elevation_change));
@@ -225,7 +226,7 @@ std::optional<MemberRecord> record_from(const std::string& bytes) {
         for (const CellRun& run : record.runs) cells += run.count;
         for (const Quantity quantity : {Quantity::depth, Quantity::velocity, Quantity::arrival})
             StateReader::require(cells == record.of(quantity).size());
-        for (const Quantity quantity : {Quantity::pressure, Quantity::intensity, Quantity::deposit})
+        for (const Quantity quantity : {Quantity::pressure, Quantity::intensity, Quantity::deposit, Quantity::momentum})
             StateReader::require(record.of(quantity).empty() || cells == record.of(quantity).size());
     } catch (const Error&) {
         return std::nullopt;

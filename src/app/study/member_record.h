@@ -45,7 +45,7 @@ void serialise(Archive& archive, CellRun& run) {
 
 /// What a member's flow left behind, where it came; as in the Float32 rasters of a run: maxima, the class of intensity,
 /// and what a surveyed deposit is compared with.
-enum class Quantity { depth, velocity, arrival, pressure, intensity, deposit };
+enum class Quantity { depth, velocity, arrival, pressure, intensity, deposit, momentum };
 
 /// The key with which `frana run` repeats a member that ran on.
 inline constexpr const char* k_end_key = "time.end";
@@ -95,6 +95,7 @@ struct MemberRecord {
     std::vector<float> pressure;   ///< maximum [kPa]; empty unless asked for
     std::vector<float> intensity;  ///< class; likewise
     std::vector<float> deposit;    ///< what RecordExtras::deposit names, vertical [m]; likewise
+    std::vector<float> momentum;   ///< maximum of depth times speed squared [m3/s2]; likewise
 
     /// Its grid, without CRS.
     [[nodiscard]] GridSpec grid() const { return {west, north, cell_size, columns, rows, {}}; }
@@ -127,7 +128,7 @@ void serialise(Archive& archive, MemberRecord& record) {
     archive(record.member, record.key_values, record.end, record.failure, record.figures, record.engine_seconds,
             record.particle_steps, record.west, record.north, record.cell_size, record.columns, record.rows,
             record.runs, record.depth, record.velocity, record.arrival, record.pressure, record.intensity,
-            record.deposit);
+            record.deposit, record.momentum);
 }
 
 /// Returns a record without figures and cells, of a member on a grid.
@@ -144,6 +145,7 @@ struct RecordExtras {
     bool pressure = false;
     std::optional<HazardScheme> scheme = {};  ///< of the classes of intensity
     Deposit deposit = Deposit::none;
+    bool momentum = false;
 };
 /// Returns the record of a run.
 /// @param threshold depth from which a cell belongs to the covered area [m]

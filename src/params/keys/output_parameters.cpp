@@ -6,6 +6,7 @@
 #include "core/words/words.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/declare.h"
+#include "params/keys/result_rasters.h"
 
 namespace frana {
 namespace {
@@ -132,6 +133,14 @@ void add_extra_output(std::vector<Parameter>& list) {
     list.push_back(
         rising_numbers("output.pressure-thresholds", FRANA_MEMBER(output.pressure_thresholds), "kPa",
                        "`frana ensemble`: maximum dynamic pressures whose probability of being exceeded is mapped."));
+    list.push_back(rising_numbers("output.momentum-flux-thresholds", FRANA_MEMBER(output.momentum_flux_thresholds),
+                                  "m3/s2",
+                                  "`frana ensemble`: maxima of depth times speed squared whose probability of being "
+                                  "exceeded is mapped."));
+    list.push_back(declare::word_list(
+        "output.rasters", FRANA_MEMBER(output.rasters), {},
+        {RasterName::max_flux, RasterName::max_head, RasterName::max_momentum_flux},
+        "Rasters beside those that every run writes: depth times speed, energy head, depth times speed squared."));
 }
 
 void add_hazard(std::vector<Parameter>& list) {

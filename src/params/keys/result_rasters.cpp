@@ -86,6 +86,8 @@ void add_frequency(Table& table) {
          "Events a year in which the maximum speed exceeds {} m/s");
     rate("annual_rate_pressure", "Annual rate, pressure > {} kPa",
          "Events a year in which the maximum dynamic pressure exceeds {} kPa");
+    rate("annual_rate_momentum_flux", "Annual rate, momentum flux > {} m3/s2",
+         "Events a year in which the maximum of depth times speed squared exceeds {} m3/s2");
     rate("annual_rate_intensity", "Annual rate, intensity class ≥ {}",
          "Events a year in which the class of `hazard.scheme` is {} or higher");
     by_value("max_depth_T", "Maximum depth, once in {} years",
@@ -120,6 +122,8 @@ void add_study(Table& table) {
                 "Probability that the maximum speed exceeds {} m/s");
     probability("probability_pressure", "Probability, pressure > {} kPa",
                 "Probability that the maximum dynamic pressure exceeds {} kPa");
+    probability("probability_momentum_flux", "Probability, momentum flux > {} m3/s2",
+                "Probability that the maximum of depth times speed squared exceeds {} m3/s2");
     probability("probability_intensity", "Probability, intensity class ≥ {}",
                 "Probability that the class of `hazard.scheme` is {} or higher");
     ResultRaster& depth = for_values("quantile_max_depth", "Maximum depth, {} % quantile",
@@ -246,12 +250,18 @@ void add_choices(Table& table) {
 
     table.when("with `[hazard] scheme`", [](const SceneSpec& scene) { return scene.hazard.scheme.has_value(); });
     table.add("hazard", RasterKind::classes, "Intensity", "Classes of intensity", "", "depth", k_even);
-    table.when("with a hazard scheme that uses it",
-               [](const SceneSpec& scene) { return scene.hazard.scheme.has_value(); });
-    table
-        .flow(RasterName::max_flux, "Maximum flux", "Maximum over time of depth times speed at one moment", "m2/s",
-              "velocity", k_progressive)
-        .if_it_happens = true;
+    table.when("with a hazard scheme or a threshold that uses it, or `output.rasters`", [](const SceneSpec& scene) {
+        return scene.hazard.scheme.has_value() || !scene.output.rasters.empty() ||
+               !scene.output.momentum_flux_thresholds.empty();
+    });
+    ResultRaster& flux =
+        table.flow(RasterName::max_flux, "Maximum flux", "Maximum over time of depth times speed at one moment", "m2/s",
+                   "velocity", k_progressive);
+    flux.if_it_happens = flux.of_depth = true;
+    ResultRaster& momentum =
+        table.flow(RasterName::max_momentum_flux, "Maximum momentum flux",
+                   "Maximum over time of depth times speed squared at one moment", "m3/s2", "velocity", k_progressive);
+    momentum.if_it_happens = momentum.of_depth = true;
     ResultRaster& head =
         table.flow(RasterName::max_head, "Maximum energy head", "Maximum over time of depth plus v2/2g at one moment",
                    "m", "velocity", k_progressive);

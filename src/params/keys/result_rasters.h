@@ -48,7 +48,8 @@ struct RasterName {
                                 *elevation_change = "elevation_change", *eroded_depth = "eroded_depth",
                                 *final_depth = "final_depth", *hazard_degree = "hazard_degree",
                                 *hit_count = "hit_count", *jump_height = "jump_height", *max_depth = "max_depth",
-                                *max_flux = "max_flux", *max_head = "max_head", *max_pressure = "max_pressure",
+                                *max_flux = "max_flux", *max_head = "max_head",
+                                *max_momentum_flux = "max_momentum_flux", *max_pressure = "max_pressure",
                                 *max_velocity = "max_velocity", *sensitivity = "sensitivity",
                                 *solid_depth = "solid_depth", *strain = "strain", *uncertainty = "uncertainty",
                                 *worst_source = "worst_source";
@@ -77,6 +78,7 @@ struct ResultRaster {
     /// Whether the scene produces it; null: every scene does.
     bool (*is_produced_by)(const SceneSpec& scene) = nullptr;
     bool if_it_happens = false;    ///< not in every result of such a scene
+    bool of_depth = false;         ///< a depth times something else
     bool in_frames = false;        ///< also at every frame
     bool is_surface = false;       ///< thickness: a view shows the surface of the flow
     bool has_view = false;         ///< output.maps = on draws a view as well as a map

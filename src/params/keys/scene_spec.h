@@ -142,7 +142,8 @@ struct OutputSpec {
     // Of the maps of probability that a study of many runs writes.
     std::vector<double> depth_thresholds{0.1, 0.5, 2};
     std::vector<double> velocity_thresholds{1, 5};
-    std::vector<double> pressure_thresholds;
+    std::vector<double> pressure_thresholds, momentum_flux_thresholds;
+    std::vector<std::string> rasters;     ///< more than a run writes by itself
     std::optional<std::string> exposure;  ///< buildings, roads, people
     std::optional<std::string> exposure_name, exposure_count;
 };

@@ -184,5 +184,187 @@ TEST_F(Frequency, WithoutOneThereAreNoRatesAndVolumesMustFitTheScene) {
     expect_refused("release.volume");
 }
 
+/// A region of slopes with a rate of their own, or volumes.
+class RegionFrequency : public Frequency {
+  protected:
+    struct TestSource {
+        std::string name, rate, volumes;
+        double west = 20, south = 55;
+    };
+    void write_sources(const std::vector<TestSource>& sources, const std::string& rest) const {
+        std::string features, columns;
+        for (const TestSource& one : sources) {
+            const auto corner = [&](double x, double y) {
+                return "[" + std::to_string(k_west + one.west + x) + ", " + std::to_string(k_south + one.south + y) +
+                       "]";
+            };
+            features += std::string(features.empty() ? "" : ",\n") + R"({"type": "Feature", "properties": {"NAME": ")" +
+                        one.name + R"(", "RATE": ")" + one.rate + R"(", "VOLUMES": ")" + one.volumes +
+                        R"("}, "geometry": {"type": "Polygon", "coordinates": [[)" + corner(0, 0) + ", " +
+                        corner(50, 0) + ", " + corner(50, 40) + ", " + corner(0, 40) + ", " + corner(0, 0) + "]]}}";
+        }
+        write("perimeter.geojson",
+              R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "EPSG:32632"}}, )"
+              R"("features": [)" +
+                  features + "]}");
+        write("region.ini", "[region]\nscene = scene.ini\nname = NAME\n" + rest);
+    }
+    [[nodiscard]] Outcome batch(const std::vector<std::string>& more = {}, const std::string& out = "out") const {
+        std::vector<std::string> arguments{"batch", "region.ini", "--out", out, "--quiet"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return frana(arguments);
+    }
+};
+const std::string k_columns_of_frequency = "[columns]\nfrequency.rate = RATE\nfrequency.volumes = VOLUMES\n";
+
+// Two piles at rest in the same place: the rate of each depth is the sum of both, in closed form.
+TEST_F(RegionFrequency, RatesOfTwoSlopesAddUpToTheirSum) {
+    write_dtm([](int, int column) { return 300 - 0.05 * column * k_cell; });
+    write_sources({{"a", "0.05 +- 0.02", "2000: 20, 4000: 100, 8000: 400"}, {"b", "0.1", "2000: 10, 8000: 100"}},
+                  "samples = 64\n[set]\nmaterial.friction-angle = 45\ntime.end = 1\n" + k_columns_of_frequency);
+    const Outcome outcome = batch();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    int compared = 0;
+    for (const auto& row : curve("g0")) {
+        const double depth = std::stod(row.at("value")), volume = depth * k_release_area;
+        if (depth <= 1 || depth >= 4) continue;
+        const double truth = rate_above(volume) + 0.1 * std::pow(volume / 2000, -std::log(10) / std::log(4.0));
+        // As of one slope.
+        EXPECT_GE(truth, std::stod(row.at("low")) - 0.02 * truth) << depth;
+        EXPECT_LE(truth, std::stod(row.at("high")) + 0.02 * truth) << depth;
+        EXPECT_NEAR(std::stod(row.at("rate")) / truth, 1, 0.25) << depth;
+        ++compared;
+    }
+    EXPECT_GE(compared, 3);
+    const Json frequency = parse_json(read_text(path("out/summary.json")))["frequency"];
+    EXPECT_NEAR(frequency["rate_per_year"].get<double>(), 0.15, 1e-12);
+    EXPECT_NEAR(frequency["standard_deviation"].get<double>(), 0.02, 1e-12);
+    EXPECT_EQ(frequency["sources"], 2);
+
+    const gis::Table parts = gis::read_table(path("out/disaggregation.csv"), "parts");
+    std::map<std::string, double> fractions, rates;  // by place, quantity and value
+    for (const auto& cells : parts.rows) {
+        const std::string of = cells[1] + cells[2] + cells[3];
+        fractions[of] += std::stod(cells[7]);
+        rates[of] += std::stod(cells[6]);
+        EXPECT_GE(std::stod(cells[8]), 2000 * (1 - 1e-9)) << "of the events that exceed it";
+        EXPECT_LE(std::stod(cells[8]), 8000 * (1 + 1e-9));
+    }
+    EXPECT_GT(fractions.size(), 1U);
+    for (const auto& [of, sum] : fractions) EXPECT_NEAR(sum, 1, 1e-12) << of;
+    for (const auto& row : curve("g0")) {
+        const auto found = rates.find("g0max_depth_m" + row.at("value"));
+        if (found == rates.end()) continue;
+        EXPECT_NEAR(found->second, std::stod(row.at("rate")), 1e-12);
+    }
+}
+
+// Its first slope has the draws of a study: so has its only one, with the same maps.
+TEST_F(RegionFrequency, OfOneSlopeTheMapsAreThoseOfTheStudy) {
+    const std::string vary =
+        "[vary]\nmaterial.friction-angle = pert(12, 15, 20)\n[correlate]\nrelease.volume "
+        "material.friction-angle = -0.5\n[set]\ntime.end = 20\n";
+    write_sources({{"a", "", "2000: 20, 4000: 100, 8000: 400"}},
+                  "samples = 32\nseed = 3\n" + vary + "[columns]\nfrequency.volumes = VOLUMES\n");
+    ASSERT_EQ(batch({}, "region").exit_code, 0);
+    write_study("samples = 32\nseed = 3\n", vary + k_volumes);
+    ASSERT_EQ(run().exit_code, 0);
+    double greatest = 0;
+    for (const std::string name :
+         {"annual_rate_depth_0.5", "annual_rate_velocity_5", "max_depth_T100", "max_velocity_T300"})
+        for (const int number : {1, 2}) {
+            const std::vector<double> of_study = band("out/" + name, number),
+                                      of_region = band("region/" + name, number);
+            EXPECT_EQ(of_study, of_region) << name << ' ' << number;
+            greatest = std::max(greatest, *std::max_element(of_study.begin(), of_study.end()));
+        }
+    EXPECT_GT(greatest, 1);
+    EXPECT_EQ(read_text(path("out/hazard_curves.csv")), read_text(path("region/hazard_curves.csv")));
+}
+
+// What is exceeded once in so many years lies in its interval, and the rate at its ends is that of the interval.
+TEST_F(RegionFrequency, ValuesOfAReturnPeriodAreWithinTheirBands) {
+    write_study("samples = 64\n", "[set]\ntime.end = 20\n" + k_volumes);
+    ASSERT_EQ(run().exit_code, 0);
+    const std::vector<double> value = band("out/max_depth_T100", 1), low = band("out/max_depth_T100", 2),
+                              high = band("out/max_depth_T100", 3);
+    int known = 0, wide = 0;
+    for (std::size_t cell = 0; cell < value.size(); ++cell) {
+        if (value[cell] < 0) continue;
+        EXPECT_LE(low[cell], value[cell]);
+        if (high[cell] == -9999) continue;
+        ++known;
+        EXPECT_GE(high[cell], value[cell]);
+        wide += high[cell] > low[cell] ? 1 : 0;
+    }
+    EXPECT_GT(known, 50);
+    EXPECT_GT(wide, known / 2);
+}
+
+TEST_F(RegionFrequency, SameBitsForAnyNumberOfThreadsAndAfterAKill) {
+    write_sources({{"a", "0.05", ""}, {"b", "0.02 +- 0.01", "", 25, 20}},
+                  "samples = 16\n[vary]\nmaterial.friction-angle = uniform(12, 20)\n[set]\ntime.end = 20\n[columns]\n"
+                  "frequency.rate = RATE\n");
+    for (const std::string threads : {"1", "2"}) ASSERT_EQ(batch({"--threads", threads}, "out" + threads).exit_code, 0);
+    {
+        StartedProgram program(folder_.string(), {"batch", "region.ini", "--out", "out", "--threads", "2"});
+        EXPECT_TRUE(program.wait_until([&] { return records().size() >= 8; }));
+        program.send(SIGKILL);
+        ASSERT_EQ(program.wait().exit_code, -SIGKILL);
+    }
+    ASSERT_EQ(batch({"--resume"}).exit_code, 0);
+    for (const std::string other : {"out2", "out"}) {
+        for (const char* name : {"annual_rate_depth_0.5", "max_depth_T100"})
+            for (const int number : {1, 2})
+                EXPECT_EQ(band(std::string("out1/") + name, number), band(other + "/" + name, number));
+        EXPECT_EQ(read_text(path("out1/disaggregation.csv")), read_text(path(other + "/disaggregation.csv")));
+    }
+}
+
+TEST_F(RegionFrequency, WhatAFrequencyNeedsIsAsked) {
+    const auto expect_refused = [&](const std::string& rest, const std::string& words) {
+        write_sources({{"a", "0.05", "2000: 20"}}, rest);
+        const Outcome outcome = frana({"check", "region.ini"});
+        EXPECT_EQ(outcome.exit_code, 2) << words;
+        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    };
+    const std::string vary = "[vary]\nmaterial.friction-angle = uniform(12, 20)\n";
+    expect_refused(vary, "needs a frequency");
+    expect_refused("samples = 9\n", "has no effect without a frequency");
+    expect_refused("[columns]\nfrequency.rate = RATE\n", "has no key");
+    expect_refused("scenario = NAME\n" + vary + "[frequency]\nrate = 0.1\n", "an event has one of the two");
+    expect_refused(vary + "[columns]\nfrequency.rate = RAT\n", "Did you mean RATE?");
+    expect_refused("[columns]\nfrequency.rate = RATE\nmaterial.friction-angle = VOLUMES\n" + vary, "also has a column");
+    write_sources({{"a", "0.05", ""}, {"b", "5 %", ""}}, vary + "[columns]\nfrequency.rate = RATE\n");
+    const Outcome outcome = frana({"check", "region.ini"});
+    EXPECT_EQ(outcome.exit_code, 0) << "the other slope runs";
+    EXPECT_NE(outcome.out.find("is not a number of events a year"), std::string::npos) << outcome.out;
+}
+
+// Depth times the square of the speed at one moment, never more than of both maxima.
+TEST_F(Frequency, MomentumFluxIsRecordedWhereItIsAskedFor) {
+    write("scene.ini", read_text(path("scene.ini")) + "momentum-flux-thresholds = 20\nrasters = max_momentum_flux\n");
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "alone"}).exit_code, 0);
+    const std::vector<double> momentum = band("alone/max_momentum_flux", 1), depth = band("alone/max_depth", 1),
+                              speed = band("alone/max_velocity", 1);
+    double greatest = 0;
+    for (std::size_t cell = 0; cell < momentum.size(); ++cell) {
+        EXPECT_EQ(momentum[cell] < 0, depth[cell] < 0);
+        if (depth[cell] < 0) continue;
+        EXPECT_LE(momentum[cell], depth[cell] * speed[cell] * speed[cell] * (1 + 1e-6));
+        greatest = std::max(greatest, momentum[cell]);
+    }
+    EXPECT_GT(greatest, 20);
+    write_study("samples = 16\n", "[set]\ntime.end = 20\n" + k_volumes);
+    ASSERT_EQ(run().exit_code, 0);
+    const std::vector<double> rates = band("out/annual_rate_momentum_flux_20", 1),
+                              chances = band("out/probability_momentum_flux_20", 1);
+    EXPECT_GT(*std::max_element(rates.begin(), rates.end()), 0);
+    for (std::size_t cell = 0; cell < rates.size(); ++cell) EXPECT_NEAR(rates[cell], chances[cell] / 20, 1e-8);
+    const gis::Table table = gis::read_table(path("out/hazard_curves.csv"), "curves");
+    EXPECT_TRUE(std::any_of(table.rows.begin(), table.rows.end(),
+                            [](const auto& cells) { return cells[2] == "max_momentum_flux_m3s2"; }));
+}
+
 }  // namespace
 }  // namespace frana::test

@@ -59,6 +59,47 @@ class Region : public Ensemble {
         arguments.insert(arguments.end(), more.begin(), more.end());
         return frana(arguments);
     }
+    /// A point in the middle of every cell of the sixteenth row.
+    void write_houses() const {
+        std::string features;
+        for (int column = 0; column < k_columns; ++column)
+            features += std::string(column > 0 ? "," : "") +
+                        R"({"type": "Feature", "properties": {}, "geometry": {"type": "Point", "coordinates": [)" +
+                        std::to_string(k_west + (column + 0.5) * k_cell) + ", " + std::to_string(k_south + 72.5) +
+                        "]}}";
+        write("houses.geojson",
+              R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "EPSG:32632"}}, )"
+              R"("features": [)" +
+                  features + "]}");
+    }
+    /// Objects of one cell have what the maps of the scenarios and of the degree have there.
+    void expect_objects_as_maps(const std::vector<std::string>& scenarios) const {
+        const gis::Table table = gis::read_table(path("out/exposure.csv"), "exposure");
+        const auto column = [&](const std::string& name) {
+            const auto found = std::find(table.columns.begin(), table.columns.end(), name);
+            EXPECT_NE(found, table.columns.end()) << name;
+            return static_cast<std::size_t>(found - table.columns.begin());
+        };
+        const auto expect_map = [&](const std::string& name, const std::string& map) {
+            const Raster values = raster("out/" + map + ".tif");
+            int some = 0;
+            for (std::int64_t i = 0; i < k_columns; ++i) {
+                const double value = values.at(15, i);
+                const auto& cell = table.rows[static_cast<std::size_t>(i)][column(name)];
+                EXPECT_NEAR(std::stod(cell), std::isnan(value) ? 0 : value, 1e-6) << name << ' ' << i;
+                some += value > 0 ? 1 : 0;
+            }
+            EXPECT_GE(some, 3) << name;
+        };
+        for (const std::string& scenario : scenarios)
+            for (const auto& [name, map] :
+                 {std::pair{"max_depth_m", "max_depth"}, std::pair{"max_velocity_ms", "max_velocity"},
+                  std::pair{"max_pressure_kpa", "max_pressure"}, std::pair{"intensity", "intensity"}})
+                expect_map(scenario + "_" + name, std::string("scenario_") + map + "_" + scenario);
+        expect_map("hazard_degree", "hazard_degree");
+        for (const auto& row : table.rows)
+            EXPECT_EQ(row[column("degree_source")].empty(), std::stod(row[column("hazard_degree")]) == 0);
+    }
     [[nodiscard]] Raster raster(const std::string& name) const { return gis::read_result_raster(path(name)); }
     static std::vector<TestSlope> three() {
         return {{"a", "often", "30", "1", "0.3", 20, 20, 20},
@@ -423,10 +464,15 @@ TEST_F(Region, AFrictionTableIsReadByTheReturnPeriodOfTheEvent) {
 TEST_F(Region, DegreeOfHazardOverTheScenarios) {
     write_slopes(three());
     write("own.ini", own_scheme("depth > ", "0.3 m", "0.8 m"));
-    write("scene.ini", read_text(path("scene.ini")) + "[hazard]\nscheme = own.ini\n");
+    write("scene.ini", read_text(path("scene.ini")) +
+                           "report = on\nexposure = houses.geojson\n[hazard]\nscheme = "
+                           "own.ini\n");
     write_region("return-period = YEARS\n");
+    write_houses();
     const Outcome outcome = batch();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    expect_objects_as_maps({"often", "rare"});
+    EXPECT_NE(read_text(path("out/report.html")).find("often: Intensity"), std::string::npos);
     const Raster degree = raster("out/hazard_degree.tif"), often = raster("out/scenario_max_depth_often.tif"),
                  rare = raster("out/scenario_max_depth_rare.tif");
     const int at_30[] = {0, 3, 4, 4}, at_300[] = {0, 2, 3, 4};  // none, weak, medium, strong; 2 yellow, 3 blue, 4 red

@@ -312,7 +312,7 @@ void add_slopes(StudyInput& region) {
     const SceneReading scene = region.scene_with({});
     take_friction_period(*region.reading.study.region, scene.scene.friction_table);
     add_polygons(scene, region);
-    if (region.spec().frequency.is_given()) draw_members(region);
+    if (region.spec().frequency.is_given() && region.reading.problems.empty()) draw_members(region);
     if (region.table.size() > 0) find_problems(region);
 }
 

@@ -268,6 +268,8 @@ std::vector<MappedEvents> mapped_events(const SceneSpec& scene) {
     add(Quantity::velocity, "velocity", scene.output.velocity_thresholds);
     if (!scene.output.pressure_thresholds.empty())
         add(Quantity::pressure, "pressure", scene.output.pressure_thresholds);
+    if (!scene.output.momentum_flux_thresholds.empty())
+        add(Quantity::momentum, "momentum_flux", scene.output.momentum_flux_thresholds);
     if (const auto scheme = hazard_scheme_of(scene)) {
         MappedEvents events{Quantity::intensity, {}, {}};
         for (const HazardClass& kind : scheme->classes) {
@@ -280,7 +282,8 @@ std::vector<MappedEvents> mapped_events(const SceneSpec& scene) {
 }
 
 RecordExtras record_extras(const SceneSpec& scene) {
-    return {!scene.output.pressure_thresholds.empty(), hazard_scheme_of(scene)};
+    return {!scene.output.pressure_thresholds.empty(), hazard_scheme_of(scene), Deposit::none,
+            !scene.output.momentum_flux_thresholds.empty()};
 }
 
 }  // namespace frana::app::study

@@ -68,10 +68,10 @@ std::vector<CellStore::Value> hits_of(Values values) {
 }
 
 /// The row of a quantity that has hazard curves; null: it has none.
-const HazardQuantity* hazard_quantity(Quantity quantity) {
-    const auto found = std::find_if(std::begin(k_hazard_quantities), std::end(k_hazard_quantities),
-                                    [&](const HazardQuantity& one) { return one.quantity == quantity; });
-    return found == std::end(k_hazard_quantities) ? nullptr : found;
+const CurveQuantity* curve_quantity(Quantity quantity) {
+    const auto found = std::find_if(std::begin(k_curve_quantities), std::end(k_curve_quantities),
+                                    [&](const CurveQuantity& one) { return one.quantity == quantity; });
+    return found == std::end(k_curve_quantities) ? nullptr : found;
 }
 
 std::vector<std::vector<std::size_t>> cells_of(const std::vector<CurvePlace>& places) {
@@ -101,7 +101,7 @@ std::vector<HazardCurve> hazard_curves(const StudyInput& input, const StudyResul
     if (!result.rates || places.empty()) return curves;
     const std::vector<std::vector<std::size_t>> cells = cells_of(places);
     for (const MappedEvents& events : mapped_events(input.base.spec)) {
-        const HazardQuantity* const quantity = hazard_quantity(events.quantity);
+        const CurveQuantity* const quantity = curve_quantity(events.quantity);
         if (quantity == nullptr) continue;
         const std::size_t first = curves.size();
         for (const CurvePlace& place : places) curves.push_back({place.kind, place.name, *quantity, {}});
@@ -137,7 +137,7 @@ std::string disaggregation_csv(const StudyInput& input, const StudyResult& resul
     Table table(columns);
     const std::vector<CurvePlace> places = curve_places(input, result, true);
     for (const MappedEvents& events : mapped_events(input.base.spec)) {
-        const HazardQuantity* const quantity = hazard_quantity(events.quantity);
+        const CurveQuantity* const quantity = curve_quantity(events.quantity);
         if (quantity == nullptr) continue;
         for_each_feature(
             result.finished, events.quantity, result.grid, cells_of(places), [&](std::size_t at, Values values) {

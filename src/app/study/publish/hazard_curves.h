@@ -18,19 +18,20 @@ struct HazardPoint {
 };
 
 /// A quantity of hazard curves, whose title and unit are those of a raster.
-struct HazardQuantity {
+struct CurveQuantity {
     Quantity quantity;
     const char *key, *raster;
 };
-inline constexpr HazardQuantity k_hazard_quantities[] = {
+inline constexpr CurveQuantity k_curve_quantities[] = {
     {Quantity::depth, "max_depth_m", RasterName::max_depth},
     {Quantity::velocity, "max_velocity_ms", RasterName::max_velocity},
-    {Quantity::pressure, "max_pressure_kpa", RasterName::max_pressure}};
+    {Quantity::pressure, "max_pressure_kpa", RasterName::max_pressure},
+    {Quantity::momentum, "max_momentum_flux_m3s2", RasterName::max_momentum_flux}};
 
 /// The hazard curve of a place.
 struct HazardCurve {
     std::string kind, place;  ///< "gauge" or "object"; its name, or number where it has none
-    HazardQuantity quantity{};
+    CurveQuantity quantity{};
     std::vector<HazardPoint> points;  ///< values rise, from 0 to the first that no run exceeds
 };
 

@@ -22,6 +22,7 @@
 #include "app/study/pool/member_runs.h"
 #include "app/study/pool/study_result.h"
 #include "app/study/publish/map_writer.h"
+#include "app/study/publish/study_exposure.h"
 #include "app/study/publish/study_files.h"
 #include "app/study/publish/study_tables.h"
 #include "app/study/statistics/study_maps.h"
@@ -134,13 +135,9 @@ void publish_unions(StudyInput& input, const StudyResult& result, const ResultDi
     if (region.return_period)
         facts.degrees = write_degree(input, worst_degree(all, result.grid, region.degrees), directory);
     if (!region.scenario) return;
-    std::map<std::string, bool> scenarios;
-    for (const UnionMember& member : all) scenarios[input.slope_of(member.number).scenario] = true;
-    std::vector<std::string> names;
-    for (const auto& [name, present] : scenarios) names.push_back(name);
-    const std::vector<std::string> stems = file_stems(names);
-    for (std::size_t i = 0; i < names.size(); ++i)
-        write_scenario(input, members_of(input, result, names[i]), result.grid, stems[i], directory);
+    for (const auto& [name, stem] : scenarios_of(input))
+        if (const auto members = members_of(input, result, name); !members.empty())
+            write_scenario(input, members, result.grid, stem, directory);
 }
 
 /// Writes the terrain of a region with a frequency, and what any event reaches.

@@ -181,149 +181,6 @@ std::vector<ChartTitle> study_charts() {
 
 namespace {
 
-using Values = std::span<const float>;
-
-class Builder {
-  public:
-    Builder(const StudyInput& input, const StudyResult& result)
-        : input_(input),
-          result_(result),
-          layer_(*input.base.extra.exposure),
-          cells_(exposed_cells(layer_, result.grid)),
-          values_(layer_.features.size()) {
-        const Raster& terrain = input.base.scene.terrain;
-        const bool is_known = input.slopes.empty() && !terrain.values.is_tiled();
-        for (std::size_t f = 0; f < cells_.size() && is_known; ++f)
-            values_[f].has_ground =
-                cells_[f].empty() || std::any_of(cells_[f].begin(), cells_[f].end(),
-                                                 [&](std::size_t cell) { return !std::isnan(terrain.values[cell]); });
-    }
-
-    std::vector<ExposureRow> rows(const Bounds& map) {
-        greatest(Quantity::depth, &ExposureValues::depth);
-        greatest(Quantity::velocity, &ExposureValues::velocity);
-        greatest(Quantity::pressure, &ExposureValues::pressure);
-        for_each(Quantity::arrival, [&](std::size_t feature, Values values) {
-            const float first = *std::min_element(values.begin(), values.end());
-            if (std::isfinite(first)) values_[feature].arrival = static_cast<double>(first);
-        });
-        std::vector<ExposureRow> rows = exposure_rows(layer_, values_, map);
-        input_.reading.study.region ? add_sources(rows) : add_probabilities(rows);
-        if (result_.rates) add_rates(rows);
-        return rows;
-    }
-
-  private:
-    /// Of all runs whose records count: one that failed has hit before it failed.
-    template <class Visit>
-    void for_each(Quantity quantity, const Visit& visit) const {
-        const bool has_open = result_.open.any();
-        for_each_feature(has_open ? result_.open.runs : result_.finished, quantity, result_.grid, cells_, visit);
-    }
-    [[nodiscard]] std::size_t source_of(std::size_t record) const {
-        const std::size_t place = result_.open.any() ? record : result_.finished_at[record];
-        return result_.members[place].member / input_.table.draws;
-    }
-    void greatest(Quantity quantity, double ExposureValues::*member) {
-        for_each(quantity, [&](std::size_t feature, Values values) {
-            values_[feature].*member = static_cast<double>(*std::max_element(values.begin(), values.end()));
-        });
-    }
-    void add_probabilities(std::vector<ExposureRow>& rows) const {
-        const MeanEstimate estimate(result_.finished);
-        const auto add = [&](Quantity quantity, const std::vector<double>& thresholds,
-                             const std::vector<std::string>& names) {
-            const auto set = [&](std::size_t feature, const std::string& name, double value) {
-                rows[feature].numbers.emplace_back(name, rows[feature].is_on_map() ? value : k_no_data);
-            };
-            for_each_feature(result_.finished, quantity, result_.grid, cells_, [&](std::size_t feature, Values values) {
-                for (std::size_t t = 0; t < thresholds.size(); ++t)
-                    set(feature, names[t], estimate.probability(values, thresholds[t]).value);
-            });
-            if (!result_.open.any()) return;
-            for_each(quantity, [&](std::size_t feature, Values values) {
-                for (std::size_t t = 0; t < thresholds.size(); ++t)
-                    set(feature, names[t] + "_upper", upper_bound(result_.open, values, thresholds[t]));
-            });
-        };
-        add(Quantity::depth, {0}, {"probability_reached"});
-        for (const MappedEvents& events : mapped_events(input_.base.spec))
-            add(events.quantity, events.thresholds, events.rasters);
-    }
-    void add_rates(std::vector<ExposureRow>& rows) const {
-        const auto add = [&](Quantity quantity, double threshold, const std::string& name) {
-            std::vector<HazardPoint> points(rows.size());
-            for_each_feature(result_.finished, quantity, result_.grid, cells_, [&](std::size_t feature, Values values) {
-                points[feature] = hazard_point(*result_.rates, values, threshold);
-            });
-            if (result_.open.any())
-                for_each(quantity, [&](std::size_t feature, Values runs) {
-                    points[feature].high =
-                        std::max(points[feature].high, hazard_bound(*result_.rates, runs, threshold));
-                });
-            for (std::size_t f = 0; f < rows.size(); ++f)
-                for (const auto& [ending, value] : {std::pair("", points[f].rate), std::pair("_low", points[f].low),
-                                                    std::pair("_high", points[f].high)})
-                    rows[f].numbers.emplace_back(name + ending, rows[f].is_on_map() ? value : k_no_data);
-        };
-        add(Quantity::depth, 0, "annual_rate_reached");
-        for (const MappedEvents& events : mapped_events(input_.base.spec))
-            for (std::size_t t = 0; t < events.thresholds.size(); ++t)
-                add(events.quantity, events.thresholds[t], rate_name(events.rasters[t]));
-    }
-    void add_sources(std::vector<ExposureRow>& rows) const {
-        for_each(Quantity::depth, [&](std::size_t feature, Values values) {
-            ExposureRow& row = rows[feature];
-            const auto worst =
-                static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
-            const std::size_t source = source_of(worst);
-            const auto count = [&](const auto& counts) {
-                std::set<std::size_t> sources;
-                for (std::size_t record = 0; record < values.size(); ++record)
-                    if (counts(record)) sources.insert(source_of(record));
-                return row.is_on_map() ? static_cast<double>(sources.size()) : k_no_data;
-            };
-            row.numbers.emplace_back("sources", count([&](std::size_t record) { return values[record] > 0; }));
-            if (result_.open.any())  // those whose full reach is not known may have come, too
-                row.numbers.emplace_back("sources_upper", count([&](std::size_t record) {
-                                             return values[record] > 0 || result_.open.is_open[record];
-                                         }));
-            row.numbers.emplace_back("worst_source", row.is_reached() ? static_cast<double>(source) : k_no_data);
-            row.texts.emplace_back("worst_name", row.is_reached() ? input_.slopes[source].name : "");
-        });
-    }
-
-    const StudyInput& input_;
-    const StudyResult& result_;
-    const gis::FeatureLayer& layer_;
-    std::vector<std::vector<std::size_t>> cells_;
-    std::vector<ExposureValues> values_;
-};
-
-}  // namespace
-
-void warn_of_unknown_exposure(const StudyInput& input, RunLog& log) {
-    if (const auto& exposed = input.base.extra.exposure)
-        app::warn_of_unknown_exposure(*exposed, input.base.scene.grid.bounds(),
-                                      input.reading.study.region ? nullptr : &input.base.scene.terrain, log);
-}
-
-ReachedBy exposure_reached_by(const StudyInput& input) {
-    return input.reading.study.region ? ReachedBy::any_slope : ReachedBy::any_run;
-}
-
-std::optional<ExposureTotals> publish_study_exposure(const StudyInput& input, const StudyResult& result,
-                                                     const Bounds& map, const ResultDirectory& directory) {
-    const auto& layer = input.base.extra.exposure;
-    if (!layer) return std::nullopt;
-    ExposureTotals totals = write_exposure(*layer, Builder(input, result).rows(map), result.grid.crs_wkt,
-                                           words_of(input.base.spec), directory);
-    totals.is_least = result.open.any();
-    return totals;
-}
-
-namespace {
-
 /// Of depth and velocity alone.
 void write_quantiles(const StudyResult& result, const QuantityMaps& maps, Quantity quantity, const std::string& name,
                      const MapWriter& writer) {
@@ -495,7 +352,8 @@ void draw_study(const StudyInput& input, const StudyResult& result, const std::v
             is_drawn("maps/" + name, log,
                      [&] { drawer.draw(written.map_layer(name), false, written.path("maps/" + name)); });
         }
-        if (!output.charts || (input.spec().region && !result.rates)) return;  // of sources there is no distribution
+        const bool has_curves = result.rates && !input.base.scene.recording.gauges.empty();
+        if (!output.charts || (input.spec().region && !has_curves)) return;  // of sources there is no distribution
         make_drawing_folder(written.path("charts"));
         draw_chart_rows(k_charts, ChartData{input, result, figures}, source, written.directory(), output.report, log);
     });

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "app/pictures/charts.h"
-#include "app/publish/publish_exposure.h"
 #include "app/publish/publish_pictures.h"
 #include "app/store/result_directory.h"
 #include "app/study/member_record.h"
@@ -24,18 +23,6 @@ std::vector<Point> exceedance_curve(const std::vector<double>& values, const std
 
 /// Returns the charts that a study may have, in the order of the page.
 std::vector<ChartTitle> study_charts();
-
-/// Warns of exposed features of which the study will say nothing.
-void warn_of_unknown_exposure(const StudyInput& input, RunLog& log);
-
-/// What reaches the exposed features of a study, for its sentence.
-ReachedBy exposure_reached_by(const StudyInput& input);
-
-/// Writes what the members together do to the exposed features, if there are any: the greatest values of all; of
-/// distributions the probability that the feature, not only one of its cells, is reached and exceeds each threshold; of
-/// polygons how many reach it, and which is the worst.
-std::optional<ExposureTotals> publish_study_exposure(const StudyInput& input, const StudyResult& result,
-                                                     const Bounds& map, const ResultDirectory& directory);
 
 /// Writes the terrain, the scene of the central member and the release areas of all.
 void publish_study_ground(const StudyInput& input, const ResultDirectory& directory);

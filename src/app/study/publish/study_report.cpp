@@ -18,6 +18,7 @@
 #include "app/study/plan/study_input.h"
 #include "app/study/pool/study_result.h"
 #include "app/study/publish/map_writer.h"
+#include "app/study/publish/study_exposure.h"
 #include "app/study/publish/study_files.h"
 #include "app/study/publish/study_tables.h"
 #include "app/text/number_text.h"

@@ -207,6 +207,7 @@ std::string study_summary_json(const StudyInput& input, const StudyResult& resul
     json["depth_thresholds_m"] = input.base.spec.output.depth_thresholds;
     json["velocity_thresholds_ms"] = input.base.spec.output.velocity_thresholds;
     json["pressure_thresholds_kpa"] = input.base.spec.output.pressure_thresholds;
+    json["momentum_flux_thresholds_m3s2"] = input.base.spec.output.momentum_flux_thresholds;
     if (result.rates) json["frequency"] = frequency_json(study.frequency, *result.rates, facts);
     if (const auto& scheme = input.base.spec.hazard.scheme) json["hazard_scheme"] = *scheme;
     if (input.base.friction) {

@@ -16,15 +16,15 @@ double squares_of(const FrequencySpec::Rate& rate, double margin) {
     return square(rate.value * margin) + square(rate.deviation * margin);
 }
 
-/// The greatest value for which those that exceed it stand for no more than a rate.
+/// The greatest value that is reached at a rate, by those that stand for the greater ones too.
 double value_exceeded(std::vector<CellStore::Value> hits, const std::vector<double>& rates, double so_far,
                       double rate) {
     std::sort(hits.begin(), hits.end(), [](const auto& a, const auto& b) {
         return a.value != b.value ? a.value > b.value : a.record < b.record;
     });
-    const double most = rate * (1 + k_weight_rounding);
+    const double enough = rate * (1 - k_weight_rounding);
     for (const auto& [member, value] : hits)
-        if ((so_far += rates[member]) > most) return std::max(0.0, static_cast<double>(value));
+        if ((so_far += rates[member]) >= enough) return std::max(0.0, static_cast<double>(value));
     return 0;
 }
 
@@ -107,7 +107,7 @@ double AnnualRates::value_at(Hits hits, double rate) const {
 }
 
 double AnnualRates::bound_at(Hits runs, double rate) const {
-    if (open_rate_ > rate * (1 + k_weight_rounding)) return std::numeric_limits<double>::infinity();
+    if (open_rate_ >= rate * (1 - k_weight_rounding)) return std::numeric_limits<double>::infinity();
     std::vector<CellStore::Value> ended(runs.begin(), runs.end());
     std::erase_if(ended, [&](const auto& hit) { return is_open_[hit.record]; });
     return value_exceeded(std::move(ended), run_rates_, open_rate_, rate);

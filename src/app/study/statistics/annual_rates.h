@@ -55,7 +55,7 @@ class AnnualRates {
     /// How often it may, if every open run exceeds it.
     /// @param runs hits of all runs, not of the finished members alone
     [[nodiscard]] double bound(Hits runs, double threshold) const;
-    /// The value that is exceeded so often, 0 where what comes is rarer.
+    /// The greatest value that is reached so often, 0 where what comes is rarer.
     [[nodiscard]] double value_at(Hits hits, double rate) const;
     /// The same of all runs if every open run exceeds it; infinite: it has no bound.
     [[nodiscard]] double bound_at(Hits runs, double rate) const;

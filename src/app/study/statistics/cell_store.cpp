@@ -16,8 +16,8 @@
 namespace frana::app::study {
 namespace {
 
-constexpr Quantity k_stored[] = {Quantity::depth, Quantity::velocity, Quantity::arrival, Quantity::pressure,
-                                 Quantity::intensity};
+constexpr Quantity k_stored[] = {Quantity::depth,    Quantity::velocity,  Quantity::arrival,
+                                 Quantity::pressure, Quantity::intensity, Quantity::momentum};
 constexpr std::size_t k_quantities = std::size(k_stored),
                       k_bytes = 2 * sizeof(std::uint32_t) + k_quantities * sizeof(float);  // of a cell of a record
 
