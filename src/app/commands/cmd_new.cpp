@@ -203,8 +203,8 @@ std::string draft_text(const SceneDraft& draft) {
     return text;
 }
 
-/// Returns a study of a scene, whose file is named from the study's folder. No preset asks for what finite volumes
-/// lack.
+/// What a study of a scene begins with, whose file is named from the study's folder. No preset asks for what finite
+/// volumes lack.
 std::string study_text(const std::string& scene) {
     return "# A study of frana to begin with: `frana ensemble`, or with [objective] `frana calibrate`.\n\n[study]\n"
            "scene = " +
@@ -217,6 +217,28 @@ std::string study_text(const std::string& scene) {
            "# material.friction-angle = triangular(LEAST, LIKELIEST, GREATEST)\n"
            "# material.turbulence = log-uniform(LEAST, GREATEST)\n";
 }
+
+/// The same of a region.
+std::string region_text(const std::string& scene) {
+    return "# A region of frana to begin with: `frana batch` runs each polygon of the scene as a slope of its own.\n\n"
+           "[region]\nscene = " +
+           scene +
+           "\nscheme = finite-volume\n"
+           "# Columns of the polygons: what each is called, and which of several events it is, how rare (years).\n"
+           "# name = COLUMN\n# scenario = COLUMN\n# return-period = COLUMN\n\n[columns]\n"
+           "# Any key of the scene may come from a column.\n# release.volume = COLUMN\n\n"
+           "# In place of scenarios: how often each slope fails, with which volumes (share/doc/region.md).\n"
+           "# [frequency]\n# volumes = M3: YEARS, M3: YEARS\n\n# [vary]\n"
+           "# material.friction-angle = triangular(LEAST, LIKELIEST, GREATEST)\n";
+}
+
+/// What can be written beside a scene.
+struct Beginning {
+    const char *option, *meaning;
+    std::string (*text)(const std::string& scene);
+};
+constexpr Beginning k_beginnings[] = {{"study", "also a study of the scene to begin with", study_text},
+                                      {"region", "also a region of its polygons to begin with", region_text}};
 
 }  // namespace
 
@@ -267,8 +289,8 @@ CommandForm new_form() {
     form.repeats = true;
     form.options.add_options()("out", one("FILE"), "scene file to write (default: scene.ini)")(
         "thickness", one("METRES"), "of the release: a number, attribute:NAME, raster:FILE, difference:PRE,POST")(
-        "preset", one("NAME"), "of the material: one of `frana materials`")(
-        "study", one("FILE"), "also a study of the scene to begin with")("overwrite", "replace an existing file");
+        "preset", one("NAME"), "of the material: one of `frana materials`")("overwrite", "replace an existing file");
+    for (const Beginning& row : k_beginnings) form.options.add_options()(row.option, one("FILE"), row.meaning);
     return form;
 }
 
@@ -280,14 +302,15 @@ int cmd_new(const Arguments& arguments) {
         throw Error(ErrorKind::input, Problem{"needs two files: the DTM and the perimeter of the release",
                                               "command line", "", "", "Usage: " + new_form().usage});
     const fs::path scene = fs::absolute(text_option(*values, "out").value_or("scene.ini")).lexically_normal();
-    const auto study = text_option(*values, "study");
     const auto refuse_existing = [&](const char* option, const std::string& file) {
         if (fs::exists(file) && values->count("overwrite") == 0)
             throw Error(ErrorKind::input,
                         Problem{"exists already", option, file, "", "Choose another name, or add --overwrite"});
     };
     refuse_existing("--out", scene.string());
-    if (study) refuse_existing("--study", *study);
+    for (const Beginning& row : k_beginnings)
+        if (const auto file = text_option(*values, row.option))
+            refuse_existing((std::string("--") + row.option).c_str(), *file);
     const auto thickness = text_option(*values, "thickness");
     const fs::path folder = scene.parent_path();
     SceneDraft draft = draft_of(files[0], files[1]);
@@ -301,9 +324,13 @@ int cmd_new(const Arguments& arguments) {
         throw Error(ErrorKind::environment, Problem{"the folder cannot be made: " + error.message(), "--out",
                                                     folder.string(), "", "Choose another place"});
     write_text_file(scene.string(), draft_text(draft));
-    if (study)
-        write_text_file(*study, study_text(relative_path(scene.string(), fs::absolute(*study).parent_path().string())));
-    std::cerr << "frana: wrote " << scene.string() << (study ? " and " + *study : "")
+    std::string written = scene.string();
+    for (const Beginning& row : k_beginnings)
+        if (const auto file = text_option(*values, row.option)) {
+            write_text_file(*file, row.text(relative_path(scene.string(), fs::absolute(*file).parent_path().string())));
+            written += " and " + *file;
+        }
+    std::cerr << "frana: wrote " << written
               << "\nfrana: next: " << (open_keys(draft).empty() ? "" : "give " + open_keys(draft) + " in it, then ")
               << "frana check " << scene.string() << '\n';
     return static_cast<int>(ExitCode::done);

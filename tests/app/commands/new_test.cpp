@@ -47,6 +47,31 @@ TEST_F(New, AStudyToBeginWithUsesFiniteVolumes) {
     EXPECT_EQ(frana({"new", "dtm.asc", "perimeter.geojson", "--out", "b.ini", "--study", "study.ini"}).exit_code, 2);
 }
 
+// Every line after # that a region may have is one that it accepts.
+TEST_F(New, ARegionToBeginWithIsReadAsItIsAndWithItsFrequency) {
+    ASSERT_EQ(frana({"new", "dtm.asc", "perimeter.geojson", "--thickness", "2", "--preset", "debris-flow", "--out",
+                     "my.ini", "--region", "region.ini"})
+                  .exit_code,
+              0);
+    const Outcome scenario = frana({"check", "region.ini"});
+    EXPECT_EQ(scenario.exit_code, 0) << scenario.err;
+    std::string text = read_text(path("region.ini"));
+    const auto use = [&](const std::string& line, const std::string& as) {
+        const std::size_t at = text.find("# " + line);
+        ASSERT_NE(at, std::string::npos) << line;
+        text.replace(at, 2 + line.size(), as);
+    };
+    use("[frequency]", "[frequency]");
+    use("volumes = M3: YEARS, M3: YEARS", "volumes = 2000: 20, 4000: 100");
+    use("[vary]", "[vary]");
+    use("material.friction-angle = triangular(LEAST, LIKELIEST, GREATEST)",
+        "material.friction-angle = triangular(12, 15, 20)");
+    write("region.ini", text);
+    const Outcome frequency = frana({"check", "region.ini"});
+    EXPECT_EQ(frequency.exit_code, 0) << frequency.err;
+    EXPECT_NE(frequency.out.find("64 of each slope"), std::string::npos) << frequency.out;
+}
+
 TEST_F(New, AnOpenPresetIsAskedForWithTheChoicesAndRefusedByTheCheck) {
     ASSERT_EQ(frana({"new", "dtm.asc", "perimeter.geojson", "--thickness", "2", "--out", "my.ini"}).exit_code, 0);
     const std::string text = read_text(path("my.ini"));
