@@ -341,6 +341,27 @@ TEST_F(RegionFrequency, WhatAFrequencyNeedsIsAsked) {
     EXPECT_NE(outcome.out.find("is not a number of events a year"), std::string::npos) << outcome.out;
 }
 
+// Rasters of single events with how often each happens, as other programs take them, make the same rates.
+TEST_F(RegionFrequency, KeptMembersWithTheirRatesMakeTheMapAgain) {
+    write_sources({{"a", "0.05", ""}, {"b", "0.02 +- 0.01", "", 25, 20}},
+                  "samples = 16\nkeep = all\n[vary]\nmaterial.friction-angle = uniform(12, 20)\n[set]\ntime.end = "
+                  "20\n[columns]\nfrequency.rate = RATE\n");
+    ASSERT_EQ(batch().exit_code, 0);
+    std::vector<double> sums(static_cast<std::size_t>(k_columns * k_rows));
+    double all = 0;
+    for (const auto& member : members()) {
+        const double rate = std::stod(member.at("annual_rate"));
+        all += rate;
+        const std::string number = member.at("member");
+        const std::vector<double> depth =
+            band("out/members/member_" + std::string(7 - number.size(), '0') + number + "/max_depth", 1);
+        for (std::size_t cell = 0; cell < sums.size(); ++cell) sums[cell] += depth[cell] > 0.5 ? rate : 0;
+    }
+    EXPECT_NEAR(all, 0.07, 1e-9);
+    const std::vector<double> rates = band("out/annual_rate_depth_0.5", 1);
+    for (std::size_t cell = 0; cell < sums.size(); ++cell) EXPECT_NEAR(rates[cell], sums[cell], 1e-8);
+}
+
 // Depth times the square of the speed at one moment, never more than of both maxima.
 TEST_F(Frequency, MomentumFluxIsRecordedWhereItIsAskedFor) {
     write("scene.ini", read_text(path("scene.ini")) + "momentum-flux-thresholds = 20\nrasters = max_momentum_flux\n");

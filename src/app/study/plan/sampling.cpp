@@ -253,9 +253,9 @@ namespace {
 
 constexpr const char* k_weight_column = "weight";
 /// Columns of members.csv and posterior.csv that are no keys and no values of a run.
-constexpr const char* k_result_columns[] = {"member",    "status",         "score",    "level",
-                                            "name",      "group",          "scenario", "return_period",
-                                            "volume_m3", "engine_seconds", "reason"};
+constexpr const char* k_result_columns[] = {"member",        "status",    "score",          "annual_rate",
+                                            "level",         "name",      "group",          "scenario",
+                                            "return_period", "volume_m3", "engine_seconds", "reason"};
 
 std::vector<std::string> result_columns() {
     std::vector<std::string> all(std::begin(k_result_columns), std::end(k_result_columns));

@@ -45,6 +45,12 @@ std::vector<MemberCell> member_row(const StudyInput& input, const StudyResult& r
     number("member", std::to_string(member.member));
     text("status", member.failure.empty() ? "finished" : "failed");
     number("weight", shortest_text(input.table.weights[member.member]));
+    if (result.rates) {
+        const auto& all = result.finished_at;
+        const auto at = std::lower_bound(all.begin(), all.end(), member.member) - all.begin();
+        number("annual_rate",
+               member.failure.empty() ? shortest_text(result.rates->of_members()[static_cast<std::size_t>(at)]) : "");
+    }
     if (!input.slopes.empty()) {  // what its attributes say
         const Slope& slope = input.slope_of(member.member);
         text("name", slope.name);

@@ -46,6 +46,8 @@ class AnnualRates {
 
     [[nodiscard]] const std::vector<Source>& sources() const noexcept { return sources_; }
     [[nodiscard]] FrequencySpec::Rate of_all() const;
+    /// Events a year for which each finished member stands.
+    [[nodiscard]] const std::vector<double>& of_members() const noexcept { return member_rates_; }
     [[nodiscard]] bool has_open() const noexcept { return open_rate_ > 0; }
 
     /// How often a value exceeds a threshold.
