@@ -313,6 +313,7 @@ std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Poi
     Point last = place, way{};
     for (Bed bed{}, behind{}; nodes.bounds().contains(place.x, place.y); behind = bed) {
         bed = bed_at(nodes, place);
+        if (Point end = place; stop_jet_at_walls(nodes, behind.z.value + thickness, last, end)) return std::nullopt;
         const Point velocity = bed.map_velocity(along);
         if (bed.throws(velocity, rules.gravity)) {
             Jump jump;

@@ -43,17 +43,34 @@ inline bool is_wall_ahead(const NodeGrid& nodes, std::size_t node, std::int64_t 
     return rise > sharp && corner_of(z[0] - z[-next], rise, z[2 * next] - z[next]) > sharp;
 }
 
+/// What of a flow comes to walls of the ground that are higher than it, and what goes over walls [m3].
+struct WallContact {
+    double met = 0, passed = 0;
+
+    void merge(const WallContact& other) noexcept {
+        met += other.met;
+        passed += other.passed;
+    }
+    template <class Archive>
+    void serialise(Archive& archive) {
+        archive(met, passed);
+    }
+};
+
 /// Factors of the components of a motion.
 struct Kept {
     double x = 1, y = 1;
+    WallContact part{};  ///< of what moves
 };
 
-/// What moves from one place to another over walls between them keeps of its motion: nothing along an axis where the
-/// next wall is higher than its surface. Over a crest it keeps the critical speed sqrt(g h) of its depth h over it, and
-/// the part h over the wall's height of its own, up to all: of the rest the wall takes the momentum.
-/// @param depth over the bed of the splines [m]  @param crest dt sqrt(g), critical motion over a crest [m^(1/2)]
+/// What moves in the cell before a wall of the ground, or from one place to another over walls between them, keeps of
+/// its motion. Over a crest goes the layer that is higher than it, at its own speed or that of a weir. In the cell
+/// before, the flow slows down evenly to what goes over the crest, and what is below it loses its velocity within the
+/// time in which it crosses the cell, as in finite volumes: nothing depends on the step.
+/// @param depth of the flow over the bed of its cell [m]  @param root dt sqrt(g) [m^(1/2)]
 /// @param from, to local metres, the first in the terrain; `to` is where it comes
-Kept keep_at_walls(const NodeGrid& nodes, double depth, double crest, Point from, Point& to) noexcept;
+/// @return the factors of its velocity
+Kept keep_at_walls(const NodeGrid& nodes, double depth, double root, Point from, Point& to) noexcept;
 
 /// The same for a jet: it keeps all above a wall. @param height of the jet [m, as bed]  @return whether it met one
 bool stop_jet_at_walls(const NodeGrid& nodes, double height, Point from, Point& to) noexcept;

@@ -176,6 +176,7 @@ struct ParticleReport {
     double volume = 0;         ///< inside [m3]
     double longest = 0;        ///< greatest trace of a shape that could be split [m2]
     std::int64_t outside = 0, non_finite = 0, no_data = 0, clamped = 0, piled = 0;
+    WallContact walls{};  ///< of the ground
 
     void merge(const ParticleReport &r) noexcept {
         speeds.merge(r.speeds);
@@ -189,6 +190,7 @@ struct ParticleReport {
         no_data += r.no_data;
         clamped += r.clamped;
         piled += r.piled;
+        walls.merge(r.walls);
     }
 };
 
@@ -285,6 +287,7 @@ struct ParticleSweep {
     Number kinetic = 0.0, inside_volume = 0.0;
     typename L::Count clamped{}, non_finite{}, outside{}, piled_up{};
     std::int64_t no_data = 0;
+    WallContact walls{};
 
     struct Velocity {
         Number u, v;
@@ -406,23 +409,24 @@ struct ParticleSweep {
         return meets_solid;
     }
 
-    /// What walls of the ground leave of the motion, of the velocity and of its gradient. Where particles overlap, the
-    /// flow is as deep as the cells.
+    /// What walls of the ground leave of the motion, of the velocity and of its gradient. The flow is as deep as its
+    /// cell: particles may overlap.
     template <class Count>
-    [[gnu::always_inline]] void meet_ground_walls(std::size_t p, Count n, Number old_x, Number old_y, Number depth,
-                                                  Number cell_depth, Number &px, Number &py) {
+    [[gnu::always_inline]] void meet_ground_walls(std::size_t p, Count n, Number old_x, Number old_y, Number &px,
+                                                  Number &py) {
         for (std::size_t i = 0; i < n; ++i) {
             const auto l = static_cast<int>(i);
-            const double own = L::at(depth, l), mean = L::at(cell_depth, l);
+            const Point from{L::at(old_x, l), L::at(old_y, l)};
             Point to{L::at(px, l), L::at(py, l)};
-            const Kept kept = keep_at_walls(nodes, own < mean ? own : mean, k.dt * k.critical,
-                                            {L::at(old_x, l), L::at(old_y, l)}, to);
+            const double depth = nodes.mass(grid.node_of(from.x, from.y)) * grid.inverse_dx * grid.inverse_dx;
+            const Kept kept = keep_at_walls(nodes, depth, k.dt * k.critical, from, to);
             L::set(px, l, to.x);
             L::set(py, l, to.y);
             for (double *const of_x : {u, c_xx, c_xy})
                 if (kept.x < 1) of_x[p + i] *= kept.x;
             for (double *const of_y : {v, c_yx, c_yy})
                 if (kept.y < 1) of_y[p + i] *= kept.y;
+            walls.merge({volume[p + i] * kept.part.met, volume[p + i] * kept.part.passed});
         }
     }
 
@@ -459,8 +463,7 @@ struct ParticleSweep {
         }
         L::store(new_area, area + p, n);
         if constexpr (Affine) {
-            if (k.ground_walls)
-                meet_ground_walls(p, n, old_x, old_y, depth, g.cell_depth / (grid.dx * grid.dx), px, py);
+            if (k.ground_walls) meet_ground_walls(p, n, old_x, old_y, px, py);
         }
         const bool meets_solid = keep_off_walls(n, old_x, old_y, px, py);
         // Non-finite particles keep their position; the run stops after this step.
@@ -500,6 +503,7 @@ struct ParticleSweep {
         r.no_data = no_data;
         r.clamped = L::total(clamped);
         r.piled = L::total(piled_up);
+        r.walls = walls;
         return r;
     }
 };

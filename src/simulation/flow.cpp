@@ -2,12 +2,16 @@
 #include "simulation/flow.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "analysis/separate_flows.h"
 #include "core/reached_raster.h"
+#include "mpm/ground_walls.h"
 #include "mpm/shape.h"
 #include "mpm/shown_depth.h"
 #include "mpm/update_nodes.h"
@@ -15,10 +19,43 @@
 #include "physics/friction_coulomb.h"
 #include "simulation/dispatch.h"
 #include "simulation/release.h"
+#include "simulation/run_warnings.h"
 #include "simulation/scene.h"
 
 namespace frana {
 namespace {
+
+// The cells on top of walls of the ground that hold only what the splines carry over the face, each with the cell
+// before it: the flow there never was as high as the wall and came first, and beside the top nothing on its level is
+// wet.
+std::vector<std::pair<std::size_t, std::size_t>> tops_not_reached(const NodeGrid& nodes, const Maxima& maxima) {
+    const std::int64_t stride = nodes.stride();
+    const std::array<std::int64_t, 8> around{1, stride + 1, stride, stride - 1, -1, -stride - 1, -stride, 1 - stride};
+    const auto beside = [](std::size_t node, std::int64_t step) { return node + static_cast<std::size_t>(step); };
+    const auto before = [&](std::size_t top) -> std::optional<std::size_t> {
+        for (const std::int64_t step : around) {
+            const std::size_t n = beside(top, step);
+            const auto number = static_cast<std::int64_t>(n);
+            if (maxima.depth[n] > 0 && !nodes.is_ghost(number % stride, number / stride) &&
+                maxima.arrival_plus_1[n] <= maxima.arrival_plus_1[top] && is_wall_ahead(nodes, n, -step) &&
+                nodes.bed[top] - nodes.bed[n] > maxima.depth[n])
+                return n;
+        }
+        return std::nullopt;
+    };
+    std::vector<std::pair<std::size_t, std::size_t>> tops;
+    nodes.for_each_covered_run([&](std::int64_t j, std::int64_t i0, std::int64_t i1) {
+        for (std::size_t top = nodes.index(i0, j); top < nodes.index(i1, j); ++top) {
+            const auto below = maxima.depth[top] > 0 ? before(top) : std::nullopt;
+            if (below && std::none_of(around.begin(), around.end(), [&](std::int64_t step) {
+                    const std::size_t n = beside(top, step);
+                    return maxima.depth[n] > 0 && !is_wall_ahead(nodes, n, -step) && !before(n);
+                }))
+                tops.emplace_back(top, *below);
+        }
+    });
+    return tops;
+}
 
 // Appends seeds; fields that they lack get their initial values.
 void append(const ParticleSet& seeds, const PorePressure& pores, ParticleSet& particles) {
@@ -317,7 +354,18 @@ Flow::Snapshot Flow::snapshot() {
         shot.depth.values[c] = depth;
         shot.speed.values[c] = speed_along_bed(node, {u, v});
     });
-    if (ended_) hold_volume(shot.depth);
+    if (!ended_) return shot;
+    hold_volume(shot.depth);
+    const auto cell = [&](std::size_t node) {
+        const auto n = static_cast<std::int64_t>(node), stride = state_.nodes.stride();
+        return shot.depth.index(grid_.rows - 1 - (n / stride - k_ghost), n % stride - k_ghost);
+    };
+    for (const auto& [top, below] : tops_not_reached(state_.nodes, maxima_)) {
+        double &from = shot.depth.values[cell(top)], &to = shot.depth.values[cell(below)];
+        if (!(from > 0)) continue;
+        to = (to > 0 ? to : 0) + from;
+        from = shot.speed.values[cell(top)] = k_no_data;
+    }
     return shot;
 }
 
@@ -350,6 +398,9 @@ void Flow::record_present() {
         const double depth = shot.depth.at(row, column);
         if (!std::isnan(depth)) maxima_.update<double>(node, 1, true, depth, shot.speed.at(row, column), state_.time);
     });
+    if (!ended_) return;
+    for (const auto& [top, below] : tops_not_reached(state_.nodes, maxima_))
+        for (ZeroArray<double>* const of : {&maxima_.depth, &maxima_.speed, &maxima_.arrival_plus_1}) (*of)[top] = 0;
 }
 
 Raster Flow::jump_height() const {
@@ -395,6 +446,7 @@ void Flow::states(std::span<const std::size_t> nodes, NodeState* states) const {
 }
 
 void Flow::add_to(RunResult& result) const {
+    warn_of_walls(state_.walls, "numerics.scheme = finite-volume", result);
     if (state_.erodible_beds.size() != 0) add_exchange(state_.erodible_beds, state_.exchanged, result);
     const JumpStatistics& jumps = state_.flights.statistics();
     if (jumps.volume > 0) {

@@ -24,11 +24,14 @@ namespace {
 
 constexpr double k_shown_fraction = 0.05;  // relative difference of a raster's volume from the flow's without a warning
 constexpr double k_jumping = 0.05;         // of all volume, over all jumps
-constexpr double k_pile = 0.05;            // of the deepest deposit, that a pile may stand too high without a warning
-constexpr double k_thin_fraction = 0.1;    // of the volume that may be thinner than visible without a warning
-constexpr double k_high_step = 30;         // of the surface of a release between two cells, without a warning [m]
-constexpr double k_steep_step = 1.75;      // and its slope: 60 degrees
-constexpr double k_stout = 0.5;            // mean thickness of a release, of its width
+// Of all volume, that may meet walls of the ground and pass them without a warning; of what does, what passes by
+// particles and not by finite volumes, or the other way, over dams of 5 to 13 m (share/doc/numerics.md).
+constexpr double k_walled = 0.05, k_over_walls = 0.01, k_wall_error = 0.15;
+constexpr double k_pile = 0.05;          // of the deepest deposit, that a pile may stand too high without a warning
+constexpr double k_thin_fraction = 0.1;  // of the volume that may be thinner than visible without a warning
+constexpr double k_high_step = 30;       // of the surface of a release between two cells, without a warning [m]
+constexpr double k_steep_step = 1.75;    // and its slope: 60 degrees
+constexpr double k_stout = 0.5;          // mean thickness of a release, of its width
 constexpr std::int64_t k_few_particles = 300;
 // Cells across the flow: in a gully of 2 to 3 its speed is 15 to 60 % too low (Run.TellsOfAFlowOfFewCells).
 constexpr double k_narrow = 3;
@@ -237,12 +240,10 @@ void warn_of_keys_without_effect(const StructuredMaterial& m, const Extremes& e,
                                  const KeyTest& is_given, Warnings& warnings) {
     const std::string confined = "structured.confined-fraction";
     if (!is_given(confined) || !(m.confined_fraction > 0)) return;
-    if (e.cohesion == 0)
+    if (e.cohesion == 0 || e.least_solid_fraction == 1)
         warnings.push_back(
-            worded("{1} has no effect without structured.cohesion: all fluid is free", {where(confined)}));
-    else if (e.least_solid_fraction == 1)
-        warnings.push_back(
-            worded("{1} has no effect: with structured.solid-fraction = 1 there are no pores", {where(confined)}));
+            worded("{1} has no effect without {2}",
+                   {where(confined), e.cohesion == 0 ? "structured.cohesion" : "structured.solid-fraction < 1"}));
 }
 
 }  // namespace
@@ -389,6 +390,14 @@ void warn_of_jumps(const RunResult::Jumps& jumps, RunResult& result) {
         {worded("{1} m3 ({2} %) would fly at {3}: set numerics.scheme = default",
                 {numeral(grouped(jumps.volume)), percent(jumps.volume / result.volume_entered), place_of(jumps.from)}),
          true, jumps.from});
+}
+
+void warn_of_walls(const WallContact& walls, const char* other, RunResult& result) {
+    if (walls.met < k_walled * result.volume_entered || walls.passed < k_over_walls * result.volume_entered) return;
+    result.warnings.push_back(
+        worded("{1} of {2} m3 passed walls, ± {3} m3: compare with {4}",
+               {numeral(grouped(walls.passed)), numeral(grouped(walls.met + walls.passed)),
+                numeral(grouped(k_wall_error * std::min(walls.met + walls.passed, result.volume_entered))), other}));
 }
 
 namespace {

@@ -12,6 +12,7 @@
 #include "analysis/ground_statistics.h"
 #include "core/raster.h"
 #include "core/words/warning.h"
+#include "mpm/ground_walls.h"
 #include "params/keys/scene_spec.h"
 #include "simulation/result.h"
 #include "simulation/scene.h"
@@ -54,6 +55,9 @@ Sentence released_sentence(const ReleasedArea& area, std::size_t index);
 Warnings run_warnings(const RunResult& result, const Scene& scene);
 /// Warns of what a scheme without flight kept on the ground, if it is a substantial part of the flow.
 void warn_of_jumps(const RunResult::Jumps& jumps, RunResult& result);
+/// Warns of particles at walls of the ground, if a substantial part of the flow came to some and some went over.
+/// @param other what computes walls better
+void warn_of_walls(const WallContact& walls, const char* other, RunResult& result);
 
 /// A cell of a deposit at rest whose surface stands above those beside it by more than friction carries.
 struct Pile {

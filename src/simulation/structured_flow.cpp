@@ -9,6 +9,7 @@
 #include "models/structured/solid/column_state.h"
 #include "mpm/ground_slope.h"
 #include "params/keys/result_rasters.h"
+#include "simulation/run_warnings.h"
 #include "simulation/scene.h"
 #include "simulation/structured_laws.h"
 
@@ -191,6 +192,11 @@ double StructuredFlow::volume_left() const noexcept {
     const double fluid = state_.fluid ? state_.fluid->now.volume_left : 0;
     const double solid = state_.solid ? state_.solid->left.solids + state_.solid->left.confined : 0;
     return fluid + solid + state_.released_outside;
+}
+
+void StructuredFlow::add_to(RunResult& result) const {
+    warn_of_walls(state_.walls, "material.model = voellmy-bingham, numerics.scheme = finite-volume", result);
+    result.phases = phase_budget();
 }
 
 std::optional<PhaseBudget> StructuredFlow::phase_budget() const {

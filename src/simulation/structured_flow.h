@@ -73,7 +73,7 @@ class StructuredFlow final : public Model {
     /// At every step the greater of the phases' own, density times speed along the bed squared [kPa]; NaN where it is
     /// not finite.
     [[nodiscard]] Raster max_pressure(const Raster& max_velocity) const override;
-    void add_to(RunResult& result) const override { result.phases = phase_budget(); }
+    void add_to(RunResult& result) const override;
 
     [[nodiscard]] bool shows_end() const noexcept override { return true; }
     [[nodiscard]] std::vector<std::int64_t> shown_tiles() const override;

@@ -114,6 +114,8 @@ Soundness watch(TimedFlow& run, const Setup& setup, double end) {
     });
     s.courant = way / static_cast<double>(std::max<std::int64_t>(1, model.steps()));
     s.energy_rise = energy.error().value_or(0);
+    run.model().end();
+    run.model().record_present();
     s.above_line = above_line(setup, model);
     s.non_finite = run.non_finite() + count_non_finite(run.particles());
     s.particles = run.peak_particles();

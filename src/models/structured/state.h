@@ -39,12 +39,14 @@ struct State {
     double deepest = 0;                 ///< column of any particle [m]
     double released = 0;                ///< confined fluid released so far [m3]
     double released_outside = 0;        ///< of which beyond the edges [m3]
+    WallContact walls{};                ///< of the ground, that solids came to
 };
 
 template <class Archive>
 void serialise(Archive& archive, State& state) {
-    [[maybe_unused]] auto& [terrain, grid, stages, solid, fluid, time, deepest, released, released_outside] = state;
-    archive(grid, solid, fluid, time, deepest, released, released_outside);
+    [[maybe_unused]] auto& [terrain, grid, stages, solid, fluid, time, deepest, released, released_outside, walls] =
+        state;
+    archive(grid, solid, fluid, time, deepest, released, released_outside, walls);
     if constexpr (Archive::k_reads)
         archive.require((!solid || has_own_tiles(solid->nodes)) && (!fluid || has_own_tiles(*fluid)));
 }

@@ -175,11 +175,12 @@ void pore_pressure(Step& now) {
 
 void move_solids(Step& now) {
     if (!now.solids()) return;
-    const State& state = now.state;
+    State& state = now.state;
     const Obstacles obstacles{&state.grid, now.laws.fluid.wall, now.laws.gaps_are_walls,
                               std::sqrt(now.laws.solid.gravity)};
     now.report.substeps = run_substeps(*state.solid, state.stages, now.laws.solid, state.grid, obstacles, now.report.dt,
                                        now.report.solids, now.pool);
+    state.walls.merge(now.report.solids.walls);
 }
 
 void release_confined(Step& now) {

@@ -52,6 +52,7 @@ struct State {
     ZeroArray<double> pore_sums;   ///< padded; w V r of the particles, within a step; empty: no pore pressure
     ZeroArray<std::uint8_t> tail;  ///< padded; mark_tail, within a step
     WalledTiles walled;            ///< those of the bed
+    WallContact walls;             ///< so far
     ZeroArray<Point> gathered;     ///< padded; velocity in map view before the update; empty: not stored
 };
 
@@ -59,10 +60,10 @@ template <class Archive>
 void serialise(Archive& archive, State& state) {
     [[maybe_unused]] auto& [particles, nodes, order, active, node_reports, particle_reports, time, velocity_lag, drift,
                             since_sort, speeds, diffusivity, volume_left, flights, bed_states, erodible_beds, exchanged,
-                            kept, lost, pore_sums, tail, walled, gathered] = state;
+                            kept, lost, pore_sums, tail, walled, walls, gathered] = state;
     archive(particles, nodes, order, active, node_reports, particle_reports, time, velocity_lag, drift, since_sort,
-            speeds, diffusivity, volume_left, flights, bed_states, erodible_beds,
-            exchanged);  // the rest is within a step
+            speeds, diffusivity, volume_left, flights, bed_states, erodible_beds, exchanged,
+            walls);  // the rest is within a step
     if constexpr (Archive::k_reads) archive.require(order.restore(particles));
 }
 

@@ -220,7 +220,11 @@ void nodes_to_particles(Step& now) {
     update.critical = std::sqrt(laws.gravity);
     if (shifts_now(state, now.stages)) update.shift = k_shift;
     const auto& tiles = state.order.tiles();
-    for (const ParticleTile& tile : tiles) state.particle_reports[static_cast<std::size_t>(tile.tile)].longest = 0;
+    for (const ParticleTile& tile : tiles) {
+        ParticleReport& last = state.particle_reports[static_cast<std::size_t>(tile.tile)];
+        last.longest = 0;
+        last.walls = {};
+    }
     const std::vector<std::uint8_t> walls = near_walls(now);
     now.pool.for_each(state.active.moved().size(), [&](std::size_t i) {
         const ParticleTile& tile = tiles[state.active.moved()[i]];
@@ -235,6 +239,7 @@ void nodes_to_particles(Step& now) {
     }
     for (const ParticleTile& tile : tiles)
         now.report.particles.merge(state.particle_reports[static_cast<std::size_t>(tile.tile)]);
+    state.walls.merge(now.report.particles.walls);
     if (now.exchanges()) mix_with_bed(state, laws.exchange.bed, now.pool);
 }
 

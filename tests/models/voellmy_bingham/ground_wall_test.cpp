@@ -2,6 +2,9 @@
 // Walls of the ground take the velocity normal to them (mpm/ground_walls.h): what a basin and a pit keep of a flow.
 #include <gtest/gtest.h>
 
+#include <cstring>
+
+#include "core/archive.h"
 #include "mpm/ground_walls.h"
 #include "support/cases.h"
 #include "support/hollows.h"
@@ -18,17 +21,14 @@ double kept(const Hollow& hollow, double friction) {
     return fraction_inside(hollow, flow.particles());
 }
 
-// Over walls of slopes 0, 90 and 99 % were in it; on cells of 5 m the splines smooth the wall over a quarter of the
-// basin, and what piles up there still goes over it: 38 %.
+// Over walls of slopes 0, 90 and 99 % were in it; what flies over it falls down at its wall.
 TEST(GroundWall, ABasinKeepsAFilm) {
-    EXPECT_GT(kept(basin(5), 0), 0.35);
-    const double fine = kept(basin(1.25), 0);
-    EXPECT_GT(fine, 0.95);
-    EXPECT_NEAR(kept(basin(2.5), 0), fine, 0.1 * fine);
+    EXPECT_GT(kept(basin(5), 0), 0.6);
+    for (const double cell : {2.5, 1.25}) EXPECT_GT(kept(basin(cell), 0), 0.95) << cell;
 }
 
 // As a slope, its wall let all but 31 and 11 % go on. The splines smooth its rim over a cell, from which it fills: it
-// keeps 57, 49 and 43 % on 5, 2.5 and 1.25 m, finite volumes 42 %.
+// keeps 57, 48 and 43 % on 5, 2.5 and 1.25 m, finite volumes 42 %.
 TEST(GroundWall, APitKeepsWhatFallsIntoIt) {
     for (const double cell : {5.0, 2.5}) {
         EXPECT_GT(kept(pit(cell), 0.1), 0.42) << cell;
@@ -36,35 +36,132 @@ TEST(GroundWall, APitKeepsWhatFallsIntoIt) {
     }
 }
 
-// With walls as slopes 98 and 97 % passed. Finite volumes let 43 and 42 % pass, particles 51 and 82 %: the splines
-// smooth the crest over a cell, and what piles up before it goes over.
+// What passes: of finite volumes 43, 42, 43, 45 %; with walls as slopes 98 and 97 %.
 TEST(GroundWall, ADamHoldsAPart) {
-    EXPECT_LT(kept(dam(5), 0), 0.6);
-    EXPECT_LT(kept(dam(2.5), 0), 0.9);
+    for (const double cell : {5.0, 2.5, 2.0, 1.25}) EXPECT_NEAR(kept(dam(cell), 0), 0.44, 0.15) << cell;
 }
 
-// A wall of 3 m and one cell. What is lower keeps nothing of its motion towards it, all along it and away from it; over
-// the crest it keeps the critical speed, or the part over it.
+// Of finite volumes 17 to 20 % pass over 9 m, whatever the angle to the grid and the cells, and 0.3 to 1.6 % over 13 m.
+TEST(GroundWall, AnObliqueDamHoldsAsMuch) {
+    for (const double degrees : {0.0, 30.0, 45.0}) {
+        for (const double cell : {5.0, 2.5}) {
+            EXPECT_NEAR(kept(oblique_dam(cell, degrees, 9), 0), 0.19, 0.08) << degrees << ", " << cell;
+            EXPECT_LT(kept(oblique_dam(cell, degrees, 13), 0), 0.05) << degrees << ", " << cell;
+        }
+    }
+}
+
+/// Water that runs against a wall with stairs and into a pit, on a map that is turned or mirrored.
+struct Map {
+    double xx, xy, yx, yy;
+
+    [[nodiscard]] Point operator()(Point p) const { return {xx * p.x + xy * p.y, yx * p.x + yy * p.y}; }
+    /// Of a place in the map.
+    [[nodiscard]] Point place(Point p) const {
+        const Point from_middle = (*this)({p.x - k_middle, p.y - k_middle});
+        return {from_middle.x + k_middle, from_middle.y + k_middle};
+    }
+    static constexpr double k_middle = 100;
+};
+
+Flow walls_of(const Map& map, int threads) {
+    const GridSpec grid = bench::plain_grid(40, 40, 5);
+    const Map back{map.xx, map.yx, map.xy, map.yy};
+    const Raster bed = bench::sample_raster(grid, [&](Point in_map) {
+        const Point p = back.place(in_map);
+        if (p.x + 0.6 * p.y > 190 && p.x + 0.6 * p.y < 210) return 30.0;
+        return std::abs(p.x - 85) < 15 && std::abs(p.y - 60) < 20 ? 5.0 : 20 - 0.05 * p.x;
+    });
+    const ParticleSet seeds = bench::fill_lattice(grid, 2, 0, [&](Point in_map) {
+        const Point p = back.place(in_map), along = map({14, 6});
+        return bench::Seed{2.5 - 0.08 * std::hypot(p.x - 45, p.y - 70), along.x, along.y};
+    });
+    return Flow(bed, seeds, water(), numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), threads);
+}
+
+// Neither axis comes first. Sums in another order differ by some 1e-15 of a metre after a step; where the flow piles up
+// at walls this grows, to 3e-13 m in 10 s.
+TEST(GroundWall, IsTheSameTurnedAndMirrored) {
+    Flow straight = walls_of({1, 0, 0, 1}, 1);
+    straight.advance_to(8);
+    const Raster depth = straight.nodal_fields().depth;
+    const auto cell = [&](Point p) {
+        return depth.index(static_cast<std::int64_t>((2 * Map::k_middle - p.y) / 5),
+                           static_cast<std::int64_t>(p.x / 5));
+    };
+    double piled = 0;
+    for (double y = 2.5; y < 200; y += 5) piled = std::max(piled, depth.values[cell({187.5 - 0.6 * y, y})]);
+    EXPECT_GT(piled, 1);  // before the stairs
+    for (const Map map : {Map{0, -1, 1, 0}, Map{-1, 0, 0, 1}, Map{0, 1, 1, 0}}) {
+        Flow flow = walls_of(map, 1);
+        flow.advance_to(8);
+        const Raster other = flow.nodal_fields().depth;
+        double difference = 0;
+        for (double y = 2.5; y < 200; y += 5)
+            for (double x = 2.5; x < 200; x += 5)
+                difference =
+                    std::max(difference, std::abs(other.values[cell(map.place({x, y}))] - depth.values[cell({x, y})]));
+        EXPECT_LT(difference, 1e-11) << map.xx << map.xy;
+    }
+}
+
+TEST(GroundWall, GivesTheSameBitsWithTwoThreadsAndContinued) {
+    Flow whole = walls_of({1, 0, 0, 1}, 1), halves = walls_of({1, 0, 0, 1}, 2), rest = walls_of({1, 0, 0, 1}, 1);
+    std::string bytes;
+    while (halves.time() < 3) halves.advance(1);
+    StateWriter out([&](const void* from, std::size_t count) { bytes.append(static_cast<const char*>(from), count); });
+    halves.transfer(out);
+    std::size_t read = 0;
+    StateReader in(
+        [&](void* to, std::size_t count) {
+            std::memcpy(to, bytes.data() + read, count);
+            read += count;
+        },
+        bytes.size());
+    rest.transfer(in);
+    for (Flow* flow : {&whole, &halves, &rest}) flow->advance_to(6);
+    for (const Flow* flow : {&halves, &rest}) {
+        ASSERT_EQ(flow->particles().size(), whole.particles().size());
+        for (const Field field : {Field::x, Field::y, Field::u, Field::v, Field::area})
+            EXPECT_EQ(std::memcmp(flow->particles()[field], whole.particles()[field],
+                                  whole.particles().size() * sizeof(double)),
+                      0)
+                << k_field_table[static_cast<std::size_t>(field)].name;
+    }
+}
+
+// A wall of 3 m and one cell. In a cell before it a flow that is lower comes nearer and nearer and loses the speed
+// towards it, by 1 / (1 + Courant number) in a step; along it and away from it it keeps all. Over the crest goes what
+// is above it: at its own speed or at that of a weir.
 TEST(GroundWall, TakesTheMotionTowardsIt) {
     const GridSpec grid = bench::plain_grid(16, 16, 1);
     const NodeGrid nodes(bench::sample_raster(grid, [](Point p) { return p.x > 8 ? 3.0 : 0.0; }));
     const Point from{7.2, 8.2};
-    const auto keep = [&](double depth, double crest, Point& to) {
-        return keep_at_walls(nodes, depth - 0.5 * 0.2 * 0.2 * 3, crest, from, to);  // the splines' bed
-    };
     for (const double aside : {0.5, -0.5}) {
-        Point to{8.4, from.y + aside};
-        const Kept kept = keep(2, 1, to);
-        EXPECT_EQ(kept.x, 0);
+        Point to{8.1, from.y + aside};
+        const Kept kept = keep_at_walls(nodes, 2, 1, from, to);
+        EXPECT_NEAR(kept.x, 1 / 1.9, 1e-12);
         EXPECT_EQ(kept.y, 1);
-        EXPECT_EQ(to.x, from.x);
+        EXPECT_NEAR(to.x, 8 - 0.8 * std::exp(-0.9), 1e-12);
         EXPECT_EQ(to.y, from.y + aside);
+        EXPECT_NEAR(kept.part.met, 0.9, 1e-12);
+        EXPECT_EQ(kept.part.passed, 0);
     }
-    Point back{6.2, 8.2}, slow{8.4, 8.2}, fast{8.4, 8.2}, dry{8.4, 8.2};
-    EXPECT_EQ(keep(2, 1, back).x, 1);
-    EXPECT_NEAR(keep(3.25, 1, slow).x, 0.5 / 1.2, 1e-12);
-    EXPECT_NEAR(keep(4.5, 0, fast).x, 0.5, 1e-12);
-    EXPECT_EQ(keep(0, 1, dry).x, 0);
+    Point back{6.2, 8.2}, fast{8.1, 8.2}, slow{7.3, 8.2}, dry{8.1, 8.2}, face{8.9, 8.2}, beyond{8.8, 8.2};
+    EXPECT_EQ(keep_at_walls(nodes, 2, 1, from, back).x, 1);
+    const double part = 1.5 / 4.5, reach = 0.8 + part / (1 - part);  // of 4.5 m, 1.5 m are above the wall
+    const Kept over = keep_at_walls(nodes, 4.5, 0.1, from, fast);
+    EXPECT_NEAR(fast.x, 7.2 + reach * (1 - std::exp(-(1 - part) * 0.9)), 1e-12);
+    EXPECT_NEAR(over.x, 1 / (1 + 3 / 4.5 * 0.9), 1e-12);
+    EXPECT_EQ(over.part.passed, 0);
+    EXPECT_EQ(keep_at_walls(nodes, 4.5, 0.1, {7.9, 8.2}, beyond).part.passed, 1);
+    EXPECT_GT(beyond.x, 8);
+    keep_at_walls(nodes, 4.5, 1, from, slow);
+    EXPECT_EQ(slow.x, 7.3);  // a weir would carry more
+    keep_at_walls(nodes, 0, 1, from, dry);
+    EXPECT_LT(dry.x, 8);
+    keep_at_walls(nodes, 2, 1, {std::nextafter(8.0, 0.0), 8.2}, face);  // rounding does not carry it over
+    EXPECT_LT(face.x, 8);
     Point low{8.4, 8.2}, high{8.4, 8.2};
     EXPECT_TRUE(stop_jet_at_walls(nodes, 2.9, from, low));
     EXPECT_FALSE(stop_jet_at_walls(nodes, 3.1, from, high));
@@ -72,6 +169,22 @@ TEST(GroundWall, TakesTheMotionTowardsIt) {
     const TileGrid of{grid.columns, grid.rows, k_ghost};
     EXPECT_TRUE(tiles.examine(0, of, nodes));
     EXPECT_FALSE(WalledTiles().examine(0, of, NodeGrid(Raster(grid, 0.0))));
+}
+
+// A block on the far side of a corner: through the corner itself it is a wall, and the same on both ways round it.
+TEST(GroundWall, ACornerStopsWhatComesDiagonally) {
+    const GridSpec grid = bench::plain_grid(16, 16, 1);
+    const NodeGrid nodes(bench::sample_raster(grid, [](Point p) { return p.x > 8 && p.y > 8 ? 3.0 : 0.0; }));
+    Point through{8.25, 8.25}, below{8.5, 8.25}, above{8.25, 8.5};
+    keep_at_walls(nodes, 2, 1, {7.75, 7.75}, through);
+    EXPECT_EQ(through.x, 7.75);
+    EXPECT_EQ(through.y, 7.75);
+    keep_at_walls(nodes, 2, 1, {7.75, 7.75}, below);
+    keep_at_walls(nodes, 2, 1, {7.75, 7.75}, above);
+    EXPECT_EQ(below.x, above.y);
+    EXPECT_EQ(below.y, above.x);
+    EXPECT_EQ(below.y, 7.75);
+    EXPECT_EQ(below.x, 8.5);
 }
 
 }  // namespace

@@ -88,6 +88,8 @@ inline SolidReport move_particles(ParticleRun run, double dt, double wave_cfl, c
         y = to.y;
         if (beside.x < 1) u = beside.x > 0 ? beside.x * u : 0;
         if (beside.y < 1) v = beside.y > 0 ? beside.y * v : 0;
+        const double volume = particles[Field::volume][p];
+        report.walls.merge({volume * beside.part.met, volume * beside.part.passed});
         // Non-finite particles keep their place for the report; the run ends after this step.
         const bool finite = std::isfinite(x + y + u * u + v * v);
         const double opening = w[SolidWork::opening][p], growth = dt * opening;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "mpm/ground_walls.h"
+
 namespace frana::structured {
 
 /// Results of a pass over particles.
@@ -15,6 +17,7 @@ struct SolidReport {
     std::int64_t non_finite = 0;
     bool rests = true;         ///< nothing moves, and friction exceeds the forces by a margin; of the substep alone
     std::int64_t clamped = 0;  ///< particles whose area would have changed more than sevenfold in a substep
+    WallContact walls{};       ///< of the ground
 
     void merge(const SolidReport& o) {
         speed2 = std::max(speed2, o.speed2);
@@ -23,13 +26,14 @@ struct SolidReport {
         opening = std::max(opening, o.opening);
         non_finite += o.non_finite;
         clamped += o.clamped;
+        walls.merge(o.walls);
         rests = rests && o.rests;
     }
 };
 
 template <class Archive>
 void serialise(Archive& archive, SolidReport& report) {
-    [[maybe_unused]] auto& [speed2, apart2, acceleration2, opening, non_finite, rests, clamped] = report;
+    [[maybe_unused]] auto& [speed2, apart2, acceleration2, opening, non_finite, rests, clamped, walls] = report;
     archive(speed2, apart2, acceleration2, opening, non_finite, clamped);
 }
 
