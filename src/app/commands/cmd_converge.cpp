@@ -416,24 +416,6 @@ fs::path make_convergence_folder(const std::string& name, bool overwrite, const 
     return folder;
 }
 
-/// Puts the errors into the report of the scene's own result, if that is of exactly this scene and has no estimate of
-/// its own. Returns the report; empty: there is none, or it stays as it is.
-std::string renewed_report(const fs::path& folder, const SceneSpec& spec) {
-    const std::string result = output_directory(spec);
-    const fs::path scene = fs::path(result) / k_scene_file, summary = fs::path(result) / k_summary_file,
-                   report = fs::path(result) / k_report_file;
-    if (folder != fs::absolute(convergence_directory(result)) || !fs::exists(report) || !fs::exists(scene)) return {};
-    const std::optional<Json> json = read_json_file(summary.string());
-    if (!json || json->contains("accuracy")) return {};
-    const SceneReading read = read_scene(scene.string(), {}, share_directory());
-    if (!read.problems.empty() || numbers_fingerprint(read.scene) != numbers_fingerprint(spec)) return {};
-    SummaryFacts facts;
-    facts.spec = spec;
-    const ErrorEstimates errors = error_estimates(facts, result);
-    const auto parts = [&](const Words& words) { return error_parts(errors, words); };
-    return renew_page(result, parts) ? report.string() : std::string();
-}
-
 /// The scheme with which a scene is compared. Throws Error(input) if it cannot be computed by it.
 Scheme other_scheme(const Prepared& prepared, SceneVariants& variants) {
     if (prepared.scene.structured)
@@ -517,12 +499,10 @@ int cmd_converge(const Arguments& arguments) {
     write_text_file((folder / k_study).string(), study_json(schemes, spec));
     is_drawn(k_chart, log, [&] { render::write_png((folder / k_chart).string(), chart_of(schemes, words)); });
     record_files(files_of(folder));
-    const std::string report = renewed_report(folder, spec);
     if (values->count("json") > 0) {
         Json document = document_of("converge");
         document["folder"] = folder.string();
         document["files"] = files_of(folder);
-        if (!report.empty()) document["files"].push_back(report);
         document["convergence"] = Json::parse(study_json(schemes, spec));
         document["levels"] = rows;
         document["least_time"] = least_time(schemes);
@@ -531,7 +511,6 @@ int cmd_converge(const Arguments& arguments) {
         std::cout << table_text(schemes) << '\n' << folded(advice(schemes) + text, output_width());
     }
     if (!quiet) std::cerr << "frana: convergence study in " << folder.string() << '\n';
-    if (!quiet && !report.empty()) std::cerr << "frana: " << report << " shows these errors beside its values\n";
     return static_cast<int>(ExitCode::done);
 }
 

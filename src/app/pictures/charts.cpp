@@ -151,7 +151,7 @@ NamedChart profile_chart(const Columns& table, const std::string& line, const st
     const std::string name = words.labelled(words("Profiles"), own == "flow path" ? words("Path") : own);
     render::Chart chart = chart_sheet(source, name, "", k_profile_table);
     chart.panels = {relief, depths, speeds};
-    return {"profile_" + stem, chart};
+    return {"profile_" + stem, chart, name};
 }
 
 NamedChart series_chart(const Columns& table, const MapSource& source) {
@@ -194,7 +194,7 @@ NamedChart series_chart(const Columns& table, const MapSource& source) {
          {curve("volume_m3", words("Inside the domain"), k_blue, 1e-3),
           curve("volume_left_m3", words("Left the domain"), k_vermilion, 1e-3, Stroke::dashed)},
          {0}}};
-    return {"timeseries", chart};
+    return {"timeseries", chart, words("Course of the flow")};
 }
 
 NamedChart scores_chart(const Columns& table, const ResultReader& result, const MapSource& source) {
@@ -219,7 +219,7 @@ NamedChart scores_chart(const Columns& table, const ResultReader& result, const 
     render::Chart chart =
         chart_sheet(source, words("Scores"), words("dashed: the threshold of the comparison"), k_comparison_curve);
     chart.panels = {scores, areas};
-    return {"scores", chart};
+    return {"scores", chart, words("Scores")};
 }
 
 /// One panel per quantity, one curve per place.
@@ -248,7 +248,7 @@ NamedChart places_chart(const Columns& table, const std::string& place, const Ma
         }
         chart.panels.push_back(std::move(panel));
     }
-    return {file, chart};
+    return {file, chart, title};
 }
 
 /// Returns whether a table has more than its header. Throws Error(input) if the header is missing or truncated.
@@ -265,10 +265,8 @@ bool has_rows(const std::string& path) {
     return any;
 }
 
-/// Returns every chart of a result's tables: a longitudinal profile for each line of profiles.csv (bed, initial and
-/// final surface, greatest depth: the left part of the publication's Figure 8), the series over time, gauges,
-/// cross-sections, and with a survey the scores over the depth threshold. The numbers are those of the files. A broken
-/// table is a problem and does not affect the other charts.
+}  // namespace
+
 std::vector<NamedChart> result_charts(const ResultReader& result, const MapSource& source, Problems& problems) {
     std::vector<NamedChart> charts;
     const auto table = [&](const std::string& name, const auto& draw) {
@@ -300,8 +298,6 @@ std::vector<NamedChart> result_charts(const ResultReader& result, const MapSourc
     table(k_comparison_curve, [&](const Columns& columns) { charts.push_back(scores_chart(columns, result, source)); });
     return charts;
 }
-
-}  // namespace
 
 std::vector<std::string> chart_files(const ResultReader& result, const MapSource& source, const std::string& folder) {
     std::vector<std::string> files;

@@ -26,6 +26,7 @@ render::Chart chart_sheet(const MapSource& source, const std::string& what, cons
 struct NamedChart {
     std::string name;  ///< "profile_flow_path"
     render::Chart chart;
+    std::string title{};  ///< what it shows
 };
 
 /// A kind of chart: the name of its file and its title, in the chart and on the page.
@@ -70,6 +71,12 @@ void draw_chart_rows(const Rows& rows, const Data& data, const MapSource& source
         });
     }
 }
+
+/// Returns every chart of a result's tables: a longitudinal profile for each line of profiles.csv (bed, initial and
+/// final surface, greatest depth: the left part of the publication's Figure 8), the series over time, gauges,
+/// cross-sections, and with a survey the scores over the depth threshold. The numbers are those of the files. A broken
+/// table is a problem and does not affect the other charts.
+std::vector<NamedChart> result_charts(const ResultReader& result, const MapSource& source, Problems& problems);
 
 /// Returns their files in a folder.
 std::vector<std::string> chart_files(const ResultReader& result, const MapSource& source, const std::string& folder);

@@ -18,7 +18,6 @@ namespace frana::app {
 /// A piece of a paragraph.
 struct Span {
     std::string text;
-    std::string part{};  ///< name by which another command can replace it
     std::string link{};  ///< file that it leads to
 };
 
@@ -37,8 +36,7 @@ struct List {
     std::vector<std::string> items;
 };
 
-/// A picture: a PNG file, which is embedded when the page is written, or an SVG file; or a drawing as SVG text. A
-/// drawing with a caption is as wide as the page, without one small.
+/// A picture: a PNG file, which is embedded when the page is written, or an SVG file; or a drawing as SVG text.
 struct Figure {
     std::string file;
     std::string caption, alt;  ///< alt: what it shows, for those who cannot see it
@@ -47,8 +45,8 @@ struct Figure {
 
 struct Block;
 
-/// Blocks that belong together: beside each other ("columns"), in one of the columns ("box"), folded under a title
-/// ("folded"), or replaceable by another command ("part", with a name).
+/// Blocks that belong together: beside each other ("columns"), in one of the columns ("box"), or folded under a title
+/// ("folded").
 struct Group {
     std::string kind, title;
     std::vector<Block> content;
@@ -73,7 +71,6 @@ class Document {
     /// With some words in bold letters before it: "Limitations."
     Document& paragraph(const std::string& lead, const std::string& text);
     Document& small(const std::string& text) { return add(Paragraph{{{text}}, "", "small"}); }
-    Document& part(const std::string& name, Document content) { return group("part", name, std::move(content)); }
     Document& columns(Document content) { return group("columns", "", std::move(content)); }
     Document& box(const std::string& heading, Document content) {
         Document all;

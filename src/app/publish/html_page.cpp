@@ -11,8 +11,6 @@
 #include <ostream>
 #include <sstream>
 
-#include "app/store/manifest.h"
-#include "app/store/own_files.h"
 #include "app/store/result_files.h"
 #include "app/text/text_file.h"
 #include "core/error.h"
@@ -71,7 +69,6 @@ summary { cursor: pointer; font-weight: bold; margin: .6rem 0; }
   .small, figcaption { font-size: 7.5pt; }
   .columns { grid-template-columns: 1fr 1fr; gap: 1mm 6mm; }
   figure { margin: 1.5mm 0; }
-  figure svg { width: auto; max-width: 100%; max-height: 44mm; }
   figure img { width: auto; max-width: 100%; max-height: 110mm; }
   .warning, .good { background: none; border-left-width: 1.5mm; padding: .3mm 2mm; margin: 1mm 0; }
   details { display: none; }
@@ -109,15 +106,15 @@ std::string css_text(const std::string& text) {
     return quoted + "\"";
 }
 
-std::string begin_of(const std::string& name) {
-    return "<!--part " + name + "-->";
-}
-std::string end_of(const std::string& name) {
-    return "<!--end of " + name + "-->";
-}
-
 std::string element(const std::string& name, const std::string& kind, const std::string& html) {
     return "<" + name + (kind.empty() ? "" : " class=\"" + kind + "\"") + ">" + html + "</" + name + ">";
+}
+
+std::string html_of(const Cell& cell) {
+    const std::string swatch =
+        cell.swatch.empty() ? "" : "<span class=\"swatch\" style=\"background:" + cell.swatch + "\"></span>";
+    return element("td", cell.kind,
+                   swatch + (swatch.empty() || cell.text.empty() ? "" : " ") + escaped_markup(cell.text));
 }
 
 /// Writes blocks as HTML.
@@ -136,7 +133,8 @@ class Renderer {
         std::string html = one.lead.empty() ? "" : "<b>" + escaped_markup(one.lead) + "</b>";
         for (const Span& span : one.text) {
             if (!html.empty() && !span.text.empty() && !html.ends_with("\n")) html += " ";
-            html += html_of(span);
+            const std::string text = escaped_markup(span.text);
+            html += span.link.empty() ? text : "<a href=\"" + span.link + "\">" + text + "</a>.";
         }
         out_ << element("p", one.kind, html) << "\n";
     }
@@ -154,8 +152,7 @@ class Renderer {
         out_ << "<tbody>\n";
         for (const auto& [kind, cells] : one.rows()) {
             std::string row;
-            for (const Cell& cell : cells)
-                row += cell.part.empty() ? html_of(cell) : page_part(cell.part, html_of(cell));
+            for (const Cell& cell : cells) row += html_of(cell);
             out_ << element("tr", kind, row) << "\n";
         }
         out_ << "</tbody>\n</table>\n";
@@ -167,13 +164,12 @@ class Renderer {
             picture(one);
     }
     void operator()(const Group& one) const {
-        const bool is_part = one.kind == "part", is_folded = one.kind == "folded";
-        out_ << (is_part                 ? begin_of(one.title) + "\n"
-                 : is_folded             ? "<details>\n<summary>" + escaped_markup(one.title) + "</summary>\n"
+        const bool is_folded = one.kind == "folded";
+        out_ << (is_folded               ? "<details>\n<summary>" + escaped_markup(one.title) + "</summary>\n"
                  : one.kind == "columns" ? "<div class=\"columns\">\n"
                                          : "<div>\n");
         (*this)(one.content);
-        out_ << (is_part ? end_of(one.title) + "\n" : is_folded ? "</details>\n" : "</div>\n");
+        out_ << (is_folded ? "</details>\n" : "</div>\n");
     }
     void operator()(const AnswerEnd&) const { out_ << "</section>\n"; }
 
@@ -194,11 +190,10 @@ class Renderer {
         const std::size_t at = svg.find(tag);
         const std::string named = at == std::string::npos
                                       ? svg
-                                      : svg.substr(at, tag.size()) + (one.caption.empty() ? "" : "class=\"page\" ") +
-                                            "aria-label=\"" + escaped_markup(one.alt) + "\" " +
-                                            svg.substr(at + tag.size());
+                                      : svg.substr(at, tag.size()) + "class=\"page\" aria-label=\"" +
+                                            escaped_markup(one.alt) + "\" " + svg.substr(at + tag.size());
         out_ << "<figure>\n"
-             << named << (one.caption.empty() ? "" : element("figcaption", "", escaped_markup(one.caption)) + "\n")
+             << named << element("figcaption", "", escaped_markup(one.caption)) << "\n"
              << "</figure>\n";
     }
 
@@ -232,31 +227,12 @@ std::string html_head(const PageHead& head) {
 
 }  // namespace
 
-std::string html_of(const Document& document) {
-    std::ostringstream html;
-    Renderer{html, k_picture_bytes}(document.blocks());
-    return html.str();
-}
-
-std::string html_of(const Span& span) {
-    const std::string text = escaped_markup(span.text);
-    if (!span.part.empty()) return page_part(span.part, text + "\n");
-    return span.link.empty() ? text : "<a href=\"" + span.link + "\">" + text + "</a>.";
-}
-
-std::string html_of(const Cell& cell) {
-    const std::string swatch =
-        cell.swatch.empty() ? "" : "<span class=\"swatch\" style=\"background:" + cell.swatch + "\"></span>";
-    return element("td", cell.kind,
-                   swatch + (swatch.empty() || cell.text.empty() ? "" : " ") + escaped_markup(cell.text));
-}
-
 void write_page(const std::string& folder, const PageHead& head, const Document& document) {
     FileAside aside((fs::path(folder) / k_report_file).string());
     std::ofstream file(aside.partial_path(), std::ios::binary);
     file << html_head(head);
-    // All share the bytes that a page may have, with one that a comparison may add.
-    const std::size_t pictures = count_of_files(document.blocks()) + 1;
+    // All share the bytes that a page may have.
+    const std::size_t pictures = std::max<std::size_t>(1, count_of_files(document.blocks()));
     Renderer{file, std::min(k_picture_bytes, k_all_picture_bytes / pictures)}(document.blocks());
     file << "</body>\n</html>\n";
     file.close();
@@ -267,43 +243,6 @@ void write_page(const std::string& folder, const PageHead& head, const Document&
     aside.rename_into_place();
     std::error_code ignored;
     fs::remove_all(fs::path(folder) / k_page_folder, ignored);
-}
-
-std::string page_part(const std::string& name, const std::string& html) {
-    return begin_of(name) + "\n" + html + end_of(name) + "\n";
-}
-
-std::optional<std::string> with_part(const std::string& page, const std::string& name, const std::string& html) {
-    const std::size_t begin = page.find(begin_of(name));
-    if (begin == std::string::npos) return std::nullopt;
-    const std::size_t content = begin + begin_of(name).size(), end = page.find(end_of(name), content);
-    if (end == std::string::npos) return std::nullopt;
-    return page.substr(0, content) + "\n" + html + page.substr(end);
-}
-
-Words words_of_page(const std::string& page) {
-    const std::string before = "<html lang=\"";
-    const std::size_t at = page.find(before);
-    if (at == std::string::npos) return {};
-    return Words(language_of_code(page.substr(at + before.size(), 2)).value_or(Language::english));
-}
-
-bool renew_page(const std::string& folder, const std::function<std::vector<PagePart>(const Words&)>& parts) {
-    const std::string path = (std::filesystem::path(folder) / k_report_file).string();
-    if (!std::filesystem::exists(path)) return true;
-    std::string page = read_text_file(path);
-    for (const PagePart& part : parts(words_of_page(page))) {
-        if (auto renewed = with_part(page, part.name, part.html))
-            page = std::move(*renewed);
-        else if (!part.optional)
-            return false;
-    }
-    const bool in_making = std::filesystem::exists(std::filesystem::path(folder) / k_building_file);
-    if (!in_making && !changed_files({path}).empty()) return false;
-    if (!in_making) begin_own(folder, {path});
-    write_text_file(path, page);
-    if (!in_making) record_files({path});
-    return true;
 }
 
 }  // namespace frana::app

@@ -27,28 +27,4 @@ struct PageHead {
 /// the page alone are deleted. Throws Error(environment).
 void write_page(const std::string& folder, const PageHead& head, const Document& document);
 
-/// Returns blocks, the text of a span or a cell as HTML.
-std::string html_of(const Document& document);
-std::string html_of(const Span& span);
-std::string html_of(const Cell& cell);
-
-/// New content of a part of a page: page_part.
-struct PagePart {
-    std::string name, html;
-    bool optional = false;  ///< a page may be without it
-};
-
-/// Replaces parts of report.html of a result, which gets its name when it is complete, and its mark in the manifest.
-/// Returns false if there is a report that was changed since, or of an older frana without these parts, which stays as
-/// it is. Throws Error(environment).
-/// @param parts in the language of the page
-bool renew_page(const std::string& folder, const std::function<std::vector<PagePart>(const Words&)>& parts);
-
-/// Returns a part of a page that another command can replace: HTML between two comments with its name.
-std::string page_part(const std::string& name, const std::string& html);
-/// Returns the page with that part replaced; none if it has no such part.
-std::optional<std::string> with_part(const std::string& page, const std::string& name, const std::string& html);
-/// Returns the language that a page of frana is written in.
-Words words_of_page(const std::string& page);
-
 }  // namespace frana::app

@@ -7,6 +7,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "app/pictures/charts.h"
+#include "app/pictures/result_reader.h"
 #include "app/publish/html_page.h"
 #include "app/publish/publish_hazard.h"
 #include "app/publish/report_answer.h"
@@ -77,101 +79,26 @@ std::vector<ReportMap> report_maps(const ReportInput& input, const ResultDirecto
     return maps;
 }
 
-constexpr int k_width = 360, k_height = 180;
-constexpr std::size_t k_curves = 8, k_curve_letters = 30;
-
-double greatest(const std::vector<Point>& points) {
-    double value = 0;
-    for (const Point p : points) value = std::max(value, p.y);
-    return value;
-}
-
-/// Three digits; of greater values every one, in groups.
-std::string greatest_text(const std::vector<Point>& points, const Words& words) {
-    const double value = greatest(points);
-    return words.number(value < 1000 ? number_text(value, 3) : grouped(value));
-}
-
-/// Returns a chart of one pair of axes as a figure, each curve with its own stroke or markers, so that they are told
-/// apart without colours. Of many curves there are several charts, each with few.
-/// @param alt what it shows
-Document chart_figures(const render::ChartPanel& panel, const std::string& alt, const Words& words) {
-    Document figures;
-    for (std::size_t first = 0; first < std::max<std::size_t>(1, panel.series.size()); first += k_curves) {
-        render::ChartPanel part = panel;
-        part.series.clear();
-        for (std::size_t i = first; i < std::min(first + k_curves, panel.series.size()); ++i) {
-            part.series.push_back(panel.series[i]);
-            part.series.back().width_px = 3;
-            render::look_apart(part.series.back(), i - first);
-        }
+/// The charts of the result's tables.
+Document charts_of(const ReportInput& input, const ResultDirectory& directory) {
+    MapSource source;
+    source.style.words = input.words;
+    Document charts;
+    Problems problems;
+    for (NamedChart& one : result_charts(ResultReader(directory.folder()), source, problems)) {
+        one.chart.title.clear();
+        one.chart.foot.clear();
         try {
-            figures.add(Figure{"", "", alt,
-                               render::chart_svg({"", "", "", 1, {std::move(part)}, false, words}, k_width, k_height)});
+            charts.add(Figure{"", one.title, one.title, page_chart_svg(one.chart)});
         } catch (const std::exception& error) {  // the values of the page are worth more than a chart
-            figures.small(words("{1} could not be drawn: {2}", {alt, std::string(error.what())}));
+            charts.small(input.words("{1} could not be drawn: {2}", {one.title, std::string(error.what())}));
         }
     }
-    return figures;
-}
-
-/// Front, speed and depth over time; depths at the gauges and discharges through the cross-sections.
-Document series_charts(const ReportInput& input) {
-    const Words& words = input.words;
-    const std::string seconds = words("Time") + " [s]";
-    Document charts;
-    const auto add = [&](const std::string& label, double SeriesRow::*value) {
-        render::ChartSeries series;
-        for (const SeriesRow& row : input.result.series) series.points.push_back({row.time, row.*value});
-        const std::string most = greatest_text(series.points, words);
-        render::ChartPanel panel{"", seconds, label, {std::move(series)}, {0}};
-        charts.add(chart_figures(panel, label + ", " + words("maximum") + " " + most, words));
-    };
-    add(words("Front distance") + " [m]", &SeriesRow::front_distance);
-    add(words("Maximum velocity") + " [m/s]", &SeriesRow::max_speed);
-    add(words("Maximum depth") + " [m]", &SeriesRow::max_depth);
-    add(words("Covered area") + " [m²]", &SeriesRow::covered_area);
-    const auto named = [](const auto& places) {
-        std::vector<render::ChartSeries> series;
-        for (const auto& place : places)
-            series.push_back({elided(valid_utf8(place.name), k_curve_letters), render::k_chart_colours[0], {}});
-        return series;
-    };
-    const auto add_places = [&](const std::string& label, std::vector<render::ChartSeries> series) {
-        if (series.empty()) return;
-        std::string alt = label;
-        for (const render::ChartSeries& one : series)
-            alt += "; " + one.label + ", " + words("maximum") + " " + greatest_text(one.points, words);
-        charts.add(chart_figures({"", seconds, label, std::move(series), {0}}, alt, words));
-    };
-    const Recording& recording = input.prepared.scene.recording;
-    std::vector<render::ChartSeries> gauges = named(recording.gauges), sections = named(recording.sections);
-    for (const GaugeRow& row : input.result.gauges) gauges[row.gauge].points.push_back({row.time, row.depth});
-    for (const SectionRow& row : input.result.sections)
-        sections[row.section].points.push_back({row.time, row.discharge});
-    add_places(words("Gauges") + ", " + words("Flow depth") + " [m]", std::move(gauges));
-    add_places(words("Discharge") + " [m³/s]", std::move(sections));
-    return Document().columns(std::move(charts));  // beside each other, where there is room
+    for (const Problem& problem : problems.list()) charts.small(problem.where + ": " + problem.what);
+    return charts;
 }
 
 }  // namespace
-
-Document score_chart(const std::vector<ComparisonStatistics>& curve, const Words& words) {
-    render::ChartSeries jaccard, hit, alarm;
-    jaccard.label = "Jaccard";
-    hit.label = words("True positive rate");
-    alarm.label = words("False positive rate");
-    for (const ComparisonStatistics& f : curve) {
-        jaccard.points.push_back({f.threshold_m, f.jaccard});
-        hit.points.push_back({f.threshold_m, f.true_positive_rate});
-        alarm.points.push_back({f.threshold_m, f.false_positive_rate});
-    }
-    const std::string alt = words("Scores") + "; Jaccard, " + words("maximum") + " " +
-                            words.number(number_text(greatest(jaccard.points), 3));
-    render::ChartPanel panel{"", words("Depth threshold") + " [m]", words("Scores"), {jaccard, hit, alarm}, {0}};
-    panel.x = render::Scale::logarithmic;
-    return chart_figures(panel, alt, words);
-}
 
 std::optional<ErrorEstimates::Estimate> ErrorEstimates::find(const std::string& key) const {
     const auto found = of.find(key);
@@ -276,9 +203,9 @@ void add_maps(Document& page, const ReportInput& input, const std::vector<Report
         page.box(hazard_heading(input.prepared.spec, words), hazard_table(input.prepared.spec, input.hazard, words));
 }
 
-void add_details(Document& page, const ReportInput& input) {
+void add_details(Document& page, const ReportInput& input, const ResultDirectory& directory) {
     const Words& words = input.words;
-    page.heading("series", words("Course of the flow")).add(series_charts(input));
+    page.heading("series", words("Course of the flow")).add(charts_of(input, directory));
     page.heading("values", words("Values in detail"))
         .add(answer_tables(input))
         .box(words("High values"), high_values_table(input));
@@ -313,11 +240,10 @@ void write_report(const ReportInput& input, const ResultDirectory& directory) {
     if (!maps.empty()) page.add(figure_of(maps.front()));
     page.add(scenario(input)).end_answer();
     add_maps(page, input, maps);
-    page.part(k_comparison_section,
-              comparison_section(input.comparison, drawn_for_page(directory.folder(), directory.path("comparison.png")),
-                                 words));
+    page.add(comparison_section(input.comparison, drawn_for_page(directory.folder(), directory.path("comparison.png")),
+                                words));
     page.add(exposure_section(input.facts.exposure, words));
-    add_details(page, input);
+    add_details(page, input, directory);
     if (!input.facts.warnings.empty()) page.warnings(warnings_of(input), words);
     page.heading("inputs", words("Inputs")).add(inputs_table(input.prepared, words));
     add_keys(page, input);

@@ -24,9 +24,6 @@ struct ReportMap {
     std::string caption, alt;
 };
 
-/// Scores over the depth threshold.
-Document score_chart(const std::vector<ComparisonStatistics>& curve, const Words& words);
-
 /// Estimated errors of a run's values due to the size of the cells.
 struct ErrorEstimates {
     struct Estimate {

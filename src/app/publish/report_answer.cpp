@@ -217,9 +217,6 @@ Table scenario_table(const ReportInput& input) {
     return table;
 }
 
-constexpr const char* k_cell_error = "cell error";
-const std::string k_error_of = "error of ";
-
 double greatest(const PeakValues& high) {
     return std::isnan(high.greatest) ? 0 : high.greatest;
 }
@@ -236,12 +233,11 @@ std::optional<Point> greatest_place(const Raster& raster) {
 }
 
 Cell cell_error(const ErrorEstimates& errors, const Words& words) {
-    return {errors.of.empty() ? words("no estimate") : "±", "soft", k_cell_error};
+    return {errors.of.empty() ? words("no estimate") : "±", "soft"};
 }
 
-/// A key: of the estimate, by which it is replaced.
 Cell error_cell(const ErrorEstimates& errors, const std::string& key, const Words& words) {
-    return {error_text(errors, key, words), "soft", key.empty() ? "" : k_error_of + key};
+    return {error_text(errors, key, words), "soft"};
 }
 
 constexpr std::size_t k_answered = 2;  // of k_peak_statistics, that the four answers have
@@ -310,13 +306,6 @@ std::vector<GaugeAnswer> gauge_answers(const ReportInput& input) {
     return answers;
 }
 
-std::vector<PagePart> error_parts(const ErrorEstimates& errors, const Words& words) {
-    std::vector<PagePart> parts{{k_cell_error, html_of(cell_error(errors, words))}};
-    for (const auto& [key, error] : errors.of)
-        parts.push_back({k_error_of + key, html_of(error_cell(errors, key, words)), true});
-    return parts;
-}
-
 std::string error_text(const ErrorEstimates& errors, const std::string& key, const Words& words) {
     const auto estimate = errors.find(key);
     if (!estimate) return words("no estimate");
@@ -372,7 +361,7 @@ Document scenario(const ReportInput& input) {
     return Document()
         .add(scenario_table(input))
         .add(exposure_answer(input.facts.exposure, ReachedBy::the_flow, words))
-        .part(k_comparison_answer, comparison_answer(input.comparison, words))
+        .add(comparison_answer(input.comparison, words))
         .first_warnings(warnings_of(input), words)
         .paragraph(words("Limitations") + ".",
                    words("One run with one set of values; frana ensemble gives the range."));

@@ -34,9 +34,6 @@ Document scenario(const ReportInput& input);
 /// Further values with their estimated errors.
 Document answer_tables(const ReportInput& input);
 
-/// The parts of a report that `frana converge` replaces: the errors of values.
-std::vector<PagePart> error_parts(const ErrorEstimates& errors, const Words& words);
-
 /// Returns "± 12", a word if the estimate does not converge, or the words for none.
 std::string error_text(const ErrorEstimates& errors, const std::string& key, const Words& words);
 

@@ -5,16 +5,12 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/compare/probability_comparison.h"
 #include "app/pictures/charts.h"
 #include "app/pictures/map_layer.h"
-#include "app/publish/html_page.h"
 #include "app/publish/report.h"
-#include "app/publish/report_answer.h"
 #include "app/publish/report_tables.h"
 #include "app/store/result_files.h"
 #include "app/text/number_text.h"
-#include "core/files.h"
 #include "core/text.h"
 #include "params/keys/result_rasters.h"
 
@@ -87,29 +83,6 @@ Table deposit_table(const Comparison& c, const Words& words) {
     return table;
 }
 
-/// comparison.png of a result as a page has it, which exists as long as this.
-class PictureForPage {
-  public:
-    PictureForPage(const std::string& folder, const Comparison& comparison, const MapSource& source)
-        : path_((fs::path(folder) / k_picture).string()) {
-        if (!comparison.statistics) return;
-        const fs::path scratch = scratch_.emplace().path(), pages = scratch / k_page_folder;
-        fs::create_directories(pages);
-        MapSource drawn = source;
-        drawn.style.formats.clear();  // for the page alone
-        LayerDrawer drawer(drawn);
-        drawer.draw_for_page_too(pages.string());
-        draw_comparison(comparison, drawer, scratch.string());
-        path_ = (pages / k_picture).string();
-    }
-    [[nodiscard]] const std::string& path() const noexcept { return path_; }
-
-  private:
-    static constexpr const char* k_picture = "comparison.png";
-    std::string path_;
-    std::optional<TemporaryFolder> scratch_;
-};
-
 }  // namespace
 
 Document comparison_answer(const std::optional<Comparison>& comparison, const Words& words) {
@@ -137,62 +110,9 @@ Document comparison_section(const std::optional<Comparison>& comparison, const s
             words.labelled(words("Hit"), words.number(grouped(c.statistics->hit_m2)) + " m²; ") +
                 words.labelled(words("False alarm"), words.number(grouped(c.statistics->false_alarm_m2)) + " m²; ") +
                 words.labelled(words("Miss"), words.number(grouped(c.statistics->miss_m2)) + " m²")});
-    Document columns;
-    columns.box("", scores_table(c, words));
-    if (!c.curve.empty()) columns.box(words("Scores"), score_chart(c.curve, words));
-    section.columns(std::move(columns));
+    section.add(scores_table(c, words));
     if (c.deposit_overlap) section.subheading(words("Deposit")).add(deposit_table(c, words));
     return section;
-}
-
-bool renew_report(const std::string& folder, const Comparison& comparison, const MapSource& source) {
-    return renew_page(folder, [&](const Words& words) {
-        const PictureForPage picture(folder, comparison, source);
-        return std::vector<PagePart>{
-            {k_comparison_answer, html_of(comparison_answer(comparison, words))},
-            {k_comparison_section, html_of(comparison_section(comparison, picture.path(), words))}};
-    });
-}
-
-namespace {
-
-std::string map_title(const ProbabilityMap& map, const Words& words) {
-    const ResultRaster* const row = find_result_raster(map.name);
-    return row == nullptr ? map.name : raster_title(*row, map.name, words);
-}
-
-Document answer(const ProbabilityScores& scores, const ProbabilityMap& map, const Words& words) {
-    const ReportNumbers number(words);
-    return Table({map_title(map, words), "", ""})
-        .number(words("Brier score"), number(scores.brier, 3), "")
-        .number(words("Brier skill"), number(scores.brier_skill, 3), "")
-        .number(words("Area under the ROC curve"), number(scores.auroc, 3), "");
-}
-
-Document section(const ProbabilityScores& scores, const ProbabilityMap& map, const Words& words) {
-    const ReportNumbers number(words);
-    Table table;
-    table.number(words("Observed area"), number.grouped(scores.observed_area_m2), "m²")
-        .number(words("Brier score"), number(scores.brier, 3), "")
-        .number(words("Brier skill"), number(scores.brier_skill, 3), "")
-        .number(words("Reliability"), number(scores.reliability, 3), "")
-        .number(words("Resolution"), number(scores.resolution, 3), "")
-        .number(words("Area under the ROC curve"), number(scores.auroc, 3), "");
-    return Document()
-        .heading("comparison", words("Comparison with the survey"))
-        .add(Figure{"", map_title(map, words),
-                    words.labelled(words("Area under the ROC curve"), number(scores.auroc, 3)),
-                    page_chart_svg(probability_chart(scores, map))})
-        .add(table);
-}
-
-}  // namespace
-
-bool renew_report(const std::string& folder, const ProbabilityScores& scores, const ProbabilityMap& map) {
-    return renew_page(folder, [&](const Words& words) {
-        return std::vector<PagePart>{{k_comparison_answer, html_of(answer(scores, map, words))},
-                                     {k_comparison_section, html_of(section(scores, map, words))}};
-    });
 }
 
 }  // namespace frana::app

@@ -38,13 +38,11 @@ std::string padded(const std::string& text, std::size_t columns, bool right = fa
 struct Cell {
     Cell(std::string words) : text(std::move(words)) {}
     Cell(const char* words) : text(words) {}
-    Cell(std::string words, std::string of_kind, std::string part_name = {})
-        : text(std::move(words)), kind(std::move(of_kind)), part(std::move(part_name)) {}
+    Cell(std::string words, std::string of_kind) : text(std::move(words)), kind(std::move(of_kind)) {}
 
     std::string text;
     // Of a page alone:
     std::string kind{};    ///< "n": a number, "u": its unit, "soft"
-    std::string part{};    ///< name by which another command can replace it
     std::string swatch{};  ///< colour before the text, "#rrggbb"
 };
 

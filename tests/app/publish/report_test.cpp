@@ -113,29 +113,6 @@ TEST_F(Report, HasTheEstimateOfTheError) {
     EXPECT_NE(page.find(">±<"), std::string::npos);
 }
 
-// A result that is there already gets the estimate when it is made; its other parts stay.
-TEST_F(Report, GetsTheEstimateOfALaterConvergenceStudy) {
-    write_scene("[output]\ndirectory = there\nlanguage = de\n" + k_numbers_only.substr(k_numbers_only.find('\n') + 1));
-    ASSERT_EQ(frana({"run", "scene.ini", "--quiet"}).exit_code, 0);
-    const std::string before = page_of("there");
-    EXPECT_EQ(before.find(">±<"), std::string::npos);
-    const Outcome outcome = frana({"converge", "scene.ini"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find("there/report.html shows these errors"), std::string::npos) << outcome.err;
-    const std::string page = page_of("there");
-    expect_well_formed(page);
-    EXPECT_NE(page.find(">±<"), std::string::npos);
-    EXPECT_GE(count_of(page, "<td class=\"soft\">± "), 4U);
-    EXPECT_EQ(before.substr(before.find("id=\"warnings\"")), page.substr(page.find("id=\"warnings\"")));
-    ASSERT_EQ(frana({"run", "scene.ini", "--quiet", "--overwrite"}).exit_code, 0);
-    EXPECT_EQ(count_of(page_of("there"), "<td class=\"soft\">± "), count_of(page, "<td class=\"soft\">± "));
-    // Of another scene than the result's nothing is written into it.
-    const std::string kept = page_of("there");
-    ASSERT_EQ(
-        frana({"converge", "scene.ini", "--overwrite", "--quiet", "--set", "material.friction-angle=12"}).exit_code, 0);
-    EXPECT_EQ(page_of("there"), kept);
-}
-
 // Warnings are put together in English, and shown in the language of the report.
 TEST_F(Report, HasItsWarningsInItsLanguage) {
     write("dtm.asc", [&] {
@@ -171,21 +148,15 @@ TEST_F(Report, DrawsCurvesThatDifferWithoutColour) {
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
     const std::string page = page_of();
     expect_well_formed(page);
-    std::size_t charts = 0;
-    for (std::size_t at = page.find("aria-label=\"Gauges, Flow depth"); at != std::string::npos;
-         at = page.find("aria-label=\"Gauges, Flow depth", at + 1)) {
-        const std::string chart = page.substr(at, page.find("</svg>", at) - at);
-        ++charts;
-        std::set<std::string> dashes;
-        for (std::size_t dash = chart.find("stroke-dasharray:"); dash != std::string::npos;
-             dash = chart.find("stroke-dasharray:", dash + 1))
-            dashes.insert(chart.substr(dash, chart.find(';', dash) - dash));
-        if (charts == 1) {  // eight curves: three dashed kinds, and again with markers
-            EXPECT_EQ(dashes.size(), 3U);
-            EXPECT_GE(count_of(chart, ";fill:rgb(35.29%,27.45%,19.60%)"), 4U);
-        }
-    }
-    EXPECT_EQ(charts, 2U) << "ten gauges in two charts";
+    const std::size_t at = page.find("aria-label=\"Gauges\"");
+    ASSERT_NE(at, std::string::npos);
+    const std::string chart = page.substr(at, page.find("</svg>", at) - at);
+    std::set<std::string> dashes;
+    for (std::size_t dash = chart.find("stroke-dasharray:"); dash != std::string::npos;
+         dash = chart.find("stroke-dasharray:", dash + 1))
+        dashes.insert(chart.substr(dash, chart.find(';', dash) - dash));
+    EXPECT_EQ(dashes.size(), 3U) << "four kinds, and again with markers";
+    EXPECT_GE(count_of(chart, ";fill:rgb(35.29%,27.45%,19.60%)"), 4U);
     EXPECT_NE(page.find("Arrival time [s]"), std::string::npos);
     EXPECT_NE(page.find("<td>g9</td>"), std::string::npos);
 }
@@ -200,8 +171,6 @@ TEST_F(Report, ShowsPicturesRequestedInOtherFormats) {
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(count_of(page_of(), "src=\"data:image/"), 3U);
-    ASSERT_EQ(frana({"compare", "result", "--observed", "scar.geojson", "--size", "640x480"}).exit_code, 0);
-    EXPECT_EQ(count_of(page_of(), "src=\"data:image/"), 3U) << "the comparison's map is drawn for the page";
     for (const std::string& name : files()) {
         EXPECT_FALSE(name.ends_with(".png")) << name;
         EXPECT_EQ(name.find("report_pictures"), std::string::npos) << name;
@@ -215,45 +184,6 @@ TEST_F(Report, IsWrittenOnlyOnRequest) {
     write_scene(k_numbers_only);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "other", "--quiet"}).exit_code, 0);
     EXPECT_EQ(page_of("other").find("<h2 id=\"maps\""), std::string::npos) << "the scene asks for none";
-}
-
-TEST_F(Report, IsRenewedByCompare) {
-    write_scar();
-    write_scene("[output]\nanimation = off\ncharts = off\nmap-size = 640x480\nmaps = max_depth\nframes = off\n");
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
-    const std::string before = page_of();
-    EXPECT_EQ(before.find("<h2 id=\"comparison\""), std::string::npos);
-    const std::vector<std::string> report{path("result/report.html")};
-    ASSERT_EQ(frana({"compare", "result", "--observed", "scar.geojson", "--size", "640x480"}).exit_code, 0);
-    const std::string after = page_of();
-    expect_well_formed(after);
-    EXPECT_EQ(count_of(after, "<h2 id=\"comparison\""), 1U);
-    EXPECT_EQ(count_of(after, "src=\"data:image/"), count_of(before, "src=\"data:image/") + 1);
-    const std::string score = "<td>Jaccard index";
-    EXPECT_EQ(count_of(before, score), 0U);
-    EXPECT_EQ(count_of(after, score), 2U) << "on the first page, and in the section";
-    EXPECT_TRUE(app::changed_files(report).empty()) << "the manifest has the new page";
-    // The same run with the survey in its scene says the same.
-    write("with.ini", read_text(path("scene.ini")) + "[observed]\nperimeter = scar.geojson\n");
-    ASSERT_EQ(frana({"run", "with.ini", "--out", "with", "--quiet"}).exit_code, 0);
-    const auto section = [](const std::string& page) {
-        const std::size_t at = page.find("<!--part comparison-->");
-        return page.substr(at, page.find("<!--end of comparison-->") - at);
-    };
-    EXPECT_EQ(count_of(section(page_of("with")), "<tr>"), count_of(section(after), "<tr>"));
-    // Again: replaced, not added.
-    ASSERT_EQ(
-        frana({"compare", "result", "--observed", "scar.geojson", "--threshold", "0.5", "--size", "640x480"}).exit_code,
-        0);
-    EXPECT_EQ(count_of(page_of(), "<h2 id=\"comparison\""), 1U);
-    EXPECT_NE(page_of(), after);
-    EXPECT_TRUE(app::changed_files(report).empty());
-    // One that was changed stays, with a word.
-    write("result/report.html", "<!DOCTYPE html>\n<html lang=\"en\"></html>\n");
-    const Outcome outcome = frana({"compare", "result", "--observed", "scar.geojson", "--size", "640x480"});
-    EXPECT_EQ(outcome.exit_code, 0);
-    EXPECT_NE(outcome.err.find("report.html was changed"), std::string::npos) << outcome.err;
-    EXPECT_EQ(page_of(), "<!DOCTYPE html>\n<html lang=\"en\"></html>\n");
 }
 
 // Large maps are as good as paper needs.
@@ -297,10 +227,10 @@ TEST_F(Report, PicturesHaveTheirScaleAndLegibleLettersOnPaper) {
                             [&](const render::TextBox& text) { return text.text == render::scale_words(map.scale); }));
     for (const render::TextBox& text : map.texts)
         EXPECT_GE(text.size_px * mm_per_pixel / k_point, k_least_points) << text.text;
-    // Curves are beside each other, 6 mm apart.
+    // Charts are as wide as the text.
     const std::regex svg("<svg [^>]*viewBox=\"0 0 ([0-9]+) ([0-9]+)\""), letters("font-size=\"([0-9.]+)");
     ASSERT_TRUE(std::regex_search(page, found, svg));
-    const double mm_per_unit = std::min((width_mm - 6) / 2 / std::stod(found[1]), 44 / std::stod(found[2]));
+    const double mm_per_unit = width_mm / std::stod(found[1]);
     std::size_t texts = 0;
     for (std::sregex_iterator one(page.begin(), page.end(), letters), end; one != end; ++one, ++texts)
         EXPECT_GE(std::stod((*one)[1]) * mm_per_unit / k_point, k_least_points);
@@ -326,30 +256,13 @@ TEST_F(Report, SpeaksTheLanguageOfTheScene) {
         for (const char* english : {"Used by", "required", "Cell size of", ">degrees<", "hydrostatic pressure",
                                     "polygons:", "Release perimeter", "Operation to"})
             EXPECT_EQ(page.find(english), std::string::npos) << language << ": " << english;
-        // Numbers on the axis of the scores, whose chart compare draws again.
-        const auto expect_decimal_commas = [&] {
-            const std::string drawn = page_of(language);
-            for (const std::string value : {"01", "1", "2"}) {
-                EXPECT_NE(drawn.find(">0," + value + "</text>"), std::string::npos) << language << " 0," << value;
-                EXPECT_EQ(drawn.find(">0." + value + "</text>"), std::string::npos) << language << " 0." << value;
-            }
-        };
-        expect_decimal_commas();
-        // Also what compare puts into it.
-        ASSERT_EQ(frana({"compare", language, "--observed", "scar.geojson", "--size", "640x480"}).exit_code, 0);
-        expect_decimal_commas();
-        EXPECT_NE(page_of(language).find(words[2]), std::string::npos);
-        EXPECT_EQ(page_of(language).find("Jaccard index<"), std::string::npos);
+        // Numbers on the axis of the scores.
+        for (const std::string value : {"01", "1", "2"}) {
+            EXPECT_NE(page.find(">0," + value + "</text>"), std::string::npos) << language << " 0," << value;
+            EXPECT_EQ(page.find(">0." + value + "</text>"), std::string::npos) << language << " 0." << value;
+        }
+        EXPECT_EQ(page.find("Jaccard index<"), std::string::npos);
     }
-}
-
-TEST(PagePart, IsReplacedWhereItIs) {
-    const std::string page = "a" + app::page_part("one", "x") + "b" + app::page_part("two", "y") + "c";
-    const auto changed = app::with_part(page, "two", "z");
-    ASSERT_TRUE(changed);
-    EXPECT_EQ(*changed, "a" + app::page_part("one", "x") + "b" + app::page_part("two", "z") + "c");
-    EXPECT_FALSE(app::with_part(page, "three", "z"));
-    EXPECT_FALSE(app::with_part(app::page_part("one", "x").substr(0, 20), "one", "z"));
 }
 
 }  // namespace
