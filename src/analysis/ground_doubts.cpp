@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <numeric>
 #include <vector>
 
 #include "analysis/ground_statistics.h"
@@ -184,75 +183,6 @@ void find_level_ground(const Raster& ground, const Path& path, const Runs& east,
     if (east.lengths.empty()) blocks.columns = blocks.rows;
     if (south.lengths.empty()) blocks.rows = blocks.columns;
     doubts.blocks = blocks;
-}
-
-/// The steps of lines folded to a period: on ground, all places of the period have the same share of its rise. In small
-/// windows, as in another coordinate system copied cells lie askew.
-struct Rhythm {
-    std::int64_t rising = 0, stepped = 0;  ///< windows
-
-    Rhythm(const Raster& ground, const Raster& path, double cell_size, bool along_rows, std::int64_t period,
-           std::int64_t stride) {
-        constexpr double k_gentlest = 0.05;
-        const std::int64_t side = std::max<std::int64_t>(16, 4 * period) / period * period;
-        const Lines z(ground, along_rows), on(path, along_rows);
-        for (std::int64_t top = 0; top + side < z.count(); top += side * stride) {
-            for (std::int64_t first = 0; first + side < z.length(); first += side) {
-                if (!(on(top + side / 2, first + side / 2) > 0)) continue;
-                // A cliff, a pit or a house is in one quarter.
-                const std::int64_t across = side / 2, along = (side / period + 1) / 2 * period;
-                const Most quarters[]{most_at(z, top, across, first, along, period),
-                                      most_at(z, top, across, first + along, side - along, period),
-                                      most_at(z, top + across, side - across, first, along, period),
-                                      most_at(z, top + across, side - across, first + along, side - along, period)};
-                double rise = 0;
-                for (const Most& one : quarters) rise += one.rise;
-                if (!(rise > k_gentlest * cell_size * static_cast<double>(side * side))) continue;
-                ++rising;
-                const auto as_first = [&](const Most& one) { return one.place == quarters[0].place; };
-                stepped += quarters[0].place >= 0 && std::all_of(quarters + 1, quarters + 4, as_first) ? 1 : 0;
-            }
-        }
-    }
-    /// The place of the period that has most of the rise, -1 if it has hardly more than others; and the whole rise.
-    struct Most {
-        std::int64_t place = -1;
-        double rise = 0;
-    };
-    static Most most_at(const Lines& z, std::int64_t top, std::int64_t side, std::int64_t first, std::int64_t length,
-                        std::int64_t period) {
-        std::vector<double> rises(static_cast<std::size_t>(period));
-        for (std::int64_t line = top; line < top + side; ++line)
-            for (std::int64_t i = first; i < first + length; ++i)
-                rises[static_cast<std::size_t>(i % period)] += std::abs(z(line, i + 1) - z(line, i));
-        const double rise = std::accumulate(rises.begin(), rises.end(), 0.0), mean = rise / static_cast<double>(period);
-        const auto [least, most] = std::minmax_element(rises.begin(), rises.end());
-        // Real ground has 0.8 to 1.2, copies that were interpolated 0 to 0.25 and above 2.5.
-        if (*least > 0.5 * mean || *most < 1.8 * mean) return {-1, rise};
-        return {most - rises.begin(), rise};
-    }
-    /// Too few windows to tell, as across a slope.
-    [[nodiscard]] bool is_level() const { return rising < 5; }
-    [[nodiscard]] double share() const { return is_level() ? 0 : fraction(stepped, rising); }
-};
-
-/// Finds copied cells that were interpolated or turned once more, or that noise lies on.
-void find_blurred_blocks(const Raster& ground, const Raster& path, std::int64_t path_size, double cell_size,
-                         GroundDoubts& doubts) {
-    constexpr std::int64_t k_longest = 12, k_samples = 200'000;
-    constexpr double k_blocks = 1.4;                 // what was interpolated has equal cells here and there
-    constexpr double k_stepped = 0.3, k_some = 0.1;  // of windows, along one direction and along the other
-    if (doubts.blocks && std::min(doubts.blocks->columns, doubts.blocks->rows) > k_blocks) return;
-    for (std::int64_t period = 2; period <= k_longest; ++period) {
-        const std::int64_t stride = 1 + path_size / k_samples;
-        const Rhythm east(ground, path, cell_size, true, period, stride),
-            south(ground, path, cell_size, false, period, stride);
-        const auto [less, more] = std::minmax({east.share(), south.share()});
-        if (more < k_stepped || (less < k_some && !east.is_level() && !south.is_level())) continue;
-        const auto side = static_cast<double>(period);
-        doubts.blocks = {side, side, more, true};
-        return;
-    }
 }
 
 /// A step over two cells, as interpolation leaves it, between smooth ground.
@@ -479,7 +409,6 @@ GroundDoubts ground_doubts(const Raster& ground, const Raster& path, double cell
     const Runs east(ground, path, true), south(ground, path, false);
     find_level_ground(ground, on, east, south, doubts);
     find_pits(ground, on, cell_size, doubts);
-    if (!doubts.terraces) find_blurred_blocks(ground, path, on.size(), cell_size, doubts);
     if (doubts.blocks || doubts.terraces) return doubts;  // whose steps look like seams and roughness
     const Path taken(taken_path(ground, path, cell_size, doubts.dam));
     find_rough(ground, taken, cell_size, doubts);

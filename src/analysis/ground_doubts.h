@@ -13,7 +13,6 @@ struct GroundDoubts {
     struct Blocks {
         double columns = 0, rows = 0;  ///< mean size of a block [cells]
         double share = 0;              ///< of the cells looked at
-        bool is_blurred = false;       ///< interpolated once more, or with noise: no equal cells, steps in their rhythm
     };
     /// Level ground between steps of at least k_terrace_step: whole metres, contours that were not interpolated.
     struct Terraces {

@@ -217,8 +217,7 @@ void tell(const GroundDoubts& doubts, const LookedAt& here, const Prepared& prep
         const double side = std::min(blocks->columns, blocks->rows);
         // Working cells as large as the blocks are right again.
         if (side * here.cell_size > 1.1 * working) {
-            log.warn({worded(blocks->is_blurred ? worded("DTM {3}: {1} % of the path interpolated: take the original")
-                                                : worded("DTM {3}: {1} % copied cells ({2} x {2}): resample bilinear"),
+            log.warn({worded("DTM {3}: {1} % copied cells ({2} x {2}): resample bilinear",
                              {whole_percent(blocks->share), numeral(number_text(side, 2)), file}),
                       true});
         }

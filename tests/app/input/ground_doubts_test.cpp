@@ -142,28 +142,7 @@ TEST_F(GroundDoubts, CopiedCellsOfOtherFactorsAreTold) {
     }
 }
 
-// Brought from 10 m to 5 m by interpolation, or with a little noise: no cells are equal, and the steps remain.
-TEST_F(GroundDoubts, CopiedCellsAreToldThoughTheyWereInterpolatedOrHaveNoise) {
-    const Elevation blocks = copied(30, waves);
-    const auto bilinear = [&](double x, double y) {
-        const double west = std::floor(x / 10 - 0.5) * 10 + 5, south = std::floor(y / 10 - 0.5) * 10 + 5;
-        const double u = (x - west) / 10, v = (y - south) / 10;
-        return (1 - v) * ((1 - u) * blocks(west, south) + u * blocks(west + 10, south)) +
-               v * ((1 - u) * blocks(west, south + 10) + u * blocks(west + 10, south + 10));
-    };
-    write_grid("bed", 5, bilinear);
-    expect_words(doubts(), {"DTM bed.asc: ", "% of the path interpolated"});
-    std::mt19937 generator(1);
-    std::normal_distribution<double> chance(0, 1);
-    for (const double noise : {0.01, 0.05}) {
-        write_grid("bed", 10, [&](double x, double y) { return blocks(x, y) + noise * chance(generator); });
-        const std::string told = doubts();
-        expect_words(told, {"% of the path interpolated"});
-        EXPECT_EQ(told.find("Trees"), std::string::npos) << told;
-    }
-}
-
-// Then brought to another coordinate system: the blocks lie askew.
+// Brought to another coordinate system: the blocks lie askew.
 TEST_F(GroundDoubts, CopiedCellsAreToldThoughTheyLieAskew) {
     const auto turned = [](const Elevation& ground, bool interpolated) -> Elevation {
         return [=](double x, double y) {
