@@ -10,14 +10,13 @@
 #include "app/commands/command_line.h"
 #include "app/commands/forecast.h"
 #include "app/compare/comparison.h"
-#include "app/compare/probability_comparison.h"
 #include "app/input/check_inputs.h"
+#include "app/pictures/map_layer.h"
 #include "app/pictures/map_source.h"
 #include "app/pictures/result_numbers.h"
 #include "app/pictures/result_reader.h"
 #include "app/process/terminal.h"
 #include "app/publish/publish_project.h"
-#include "app/publish/report_comparison.h"
 #include "app/store/manifest.h"
 #include "app/store/own_files.h"
 #include "app/store/result_files.h"
@@ -127,6 +126,19 @@ Raster foreign_depth(const std::string& file) {
                             file, info.crs_label, "Warp it first, with gdalwarp"});
     }
     return gis::read_result_raster(file);
+}
+
+/// A survey is of one event, and a study's chances are no depths.
+void refuse_probability(const std::string& operand) {
+    const bool is_study = fs::is_directory(operand) ? ResultReader(operand).is_of_study()
+                                                    : fs::is_regular_file(operand) && attempt([&] {
+                                                          return probability_name(operand).has_value();
+                                                      });
+    if (is_study)
+        throw Error(ErrorKind::input, Problem{"is of a study, and one survey is compared with one run",
+                                              "RESULT_DIR|RASTER", operand, "",
+                                              "Compare a run with the values of a row of members.csv; `frana calibrate` "
+                                              "finds the values that agree best"});
 }
 
 /// The simulated data: a result of frana or one raster of any program.
@@ -240,47 +252,10 @@ std::vector<std::string> existing(const std::vector<std::string>& files) {
     return there;
 }
 
-/// Adds the report of a result to the files that were written, or warns that it could not be renewed.
-void add_report(const std::string& folder, bool renewed, RunLog& log, std::vector<std::string>& files) {
-    const std::string report = (fs::path(folder) / k_report_file).string();
-    if (!renewed)
-        log.warn(worded("report.html was changed and stays without this comparison"));
-    else if (fs::exists(report))
-        files.push_back(report);
-}
-
 /// Prints a table and the files that were written.
 void print_table(const std::string& table, const std::vector<std::string>& files) {
     std::cout << table << "\nWritten:\n";
     for (const std::string& file : files) std::cout << "  " << one_line(file) << '\n';
-}
-
-/// Of a map of probability, whose scores are others.
-int compare_probability(const Pair& pair, const std::optional<double>& threshold, const std::optional<Size>& size,
-                        bool json) {
-    ProbabilityMap map = read_probability_map(pair.operand, threshold);
-    if (size) map.source.style.size = *size;
-    RunLog log(false);
-    const Survey survey = read_survey(pair.scar, std::nullopt, map.source.release, map.values, log);
-    const ProbabilityScores scores = compare_with_survey(map, survey, log);
-    make_comparison_folder(pair.folder);
-    const std::vector<std::string> files = files_of(pair, map.source.style);
-    begin_own(pair.folder, files);
-    write_probability_comparison(scores, map, survey, pair.folder);
-    record_files(files);
-    std::vector<std::string> written = existing(files);
-    add_report(pair.folder, renew_report(pair.folder, scores, map), log, written);
-    if (json) {
-        Json document = document_of("compare");
-        document["warnings"] = texts_of(log.take_warnings());
-        document["folder"] = pair.folder;
-        document["files"] = written;
-        document["comparison"] = Json::parse(probability_json(scores, map, survey));
-        print_document(document);
-    } else {
-        print_table(probability_table(scores, output_width()), written);
-    }
-    return static_cast<int>(ExitCode::done);
 }
 
 }  // namespace
@@ -300,14 +275,11 @@ int cmd_compare(const Arguments& arguments) {
     const bool json = values->count("json") > 0;
     const std::string operand = only_one(text_options(*values, "operand"), "RESULT_DIR|RASTER");
     const auto scar = scars.empty() ? std::nullopt : std::optional(only_one(scars, "--observed"));
+    refuse_probability(operand);
     const std::string usual = fs::is_directory(operand) ? ResultReader(operand).directory() : ".";
     const Pair pair{operand, scar, text_option(*values, "out").value_or(usual)};
-    if (is_probability(operand) && deposit)
-        throw Error(ErrorKind::input, Problem{"cannot be compared with a map of probability", "--deposit", *deposit, "",
-                                              "Name the surveyed outline: --observed VECTOR"});
     check_outputs(pair, deposit);
     if (values->count("overwrite") == 0) refuse_other_survey(pair, deposit.value_or(""));
-    if (is_probability(operand)) return compare_probability(pair, threshold, size, json);
     RunLog log(false);
     Simulated simulated = read_simulated(operand, threshold);
     if (size) simulated.source.style.size = *size;
@@ -316,8 +288,7 @@ int cmd_compare(const Arguments& arguments) {
     const Comparison comparison = compare_into(simulated, pair.folder, log);
     record_files(files_of(pair, simulated.source.style));
     renew_project(pair.folder);
-    std::vector<std::string> files = existing(files_of(pair, simulated.source.style));
-    add_report(pair.folder, renew_report(pair.folder, comparison, simulated.source), log, files);
+    const std::vector<std::string> files = existing(files_of(pair, simulated.source.style));
     if (json) {
         Json document = document_of("compare");
         document["folder"] = pair.folder;

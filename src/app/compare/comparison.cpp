@@ -455,15 +455,4 @@ std::string comparison_table(const Comparison& comparison, const ComparisonInput
     return "Covered: deeper than " + shortest_text(input.threshold) + " m\n\n" + scores.text(width);
 }
 
-std::string probability_table(const ProbabilityScores& scores, std::size_t width) {
-    Scores table;
-    table.add("observed area", grouped(scores.observed_area_m2) + " m2", "");
-    table.add("Brier score", number_text(scores.brier, 3), "mean square error of the probability: 0 is perfect");
-    table.add("Brier skill", number_text(scores.brier_skill, 3), "1 is perfect, 0 as good as the mean everywhere");
-    table.add("reliability", number_text(scores.reliability, 3), "0: the probabilities are those observed");
-    table.add("resolution", number_text(scores.resolution, 3), "how far they differ from the mean");
-    table.add("AUROC", number_text(scores.auroc, 3), "1 is perfect");
-    return table.text(width);
-}
-
 }  // namespace frana::app

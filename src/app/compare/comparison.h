@@ -95,7 +95,4 @@ ComparisonInput surveyed(const Prepared& prepared);
 
 /// Returns the scores of a comparison for a terminal of this width.
 std::string comparison_table(const Comparison& comparison, const ComparisonInput& input, std::size_t width);
-/// The same of a map of probability.
-std::string probability_table(const ProbabilityScores& scores, std::size_t width);
-
 }  // namespace frana::app

@@ -117,7 +117,7 @@ std::vector<ResultFile> make_table() {
     table.add(FileKind::vector, {"frames/particles_*.gpkg"});
     table.by("compare");
     table.add(FileKind::text, {k_comparison_file})
-        .add(FileKind::table, {k_comparison_curve, k_reliability_table, k_roc_table})
+        .add(FileKind::table, {k_comparison_curve})
         .add(FileKind::vector, {k_comparison_outline});
     table.add_rasters().add_page("comparison");
     table.by("ensemble");

@@ -83,8 +83,6 @@ inline constexpr const char* k_comparison_file = "comparison.json";
 inline constexpr const char* k_comparison_curve = "comparison_curve.csv";
 inline constexpr const char* k_comparison_outline = "comparison.gpkg";  ///< that of a survey given to `frana compare`
 /// Of a map of probability.
-inline constexpr const char* k_reliability_table = "reliability.csv";
-inline constexpr const char* k_roc_table = "roc.csv";
 inline constexpr const char* k_animation_file = "animation.mp4";
 inline constexpr const char* k_frame_folder = "frames";
 /// Beside it in a result that is being built: the frames before they were cut to a part of the map, and while they are.

@@ -23,7 +23,7 @@ class CompareAlgorithm(FranaAlgorithm):
     COMMAND = NAME = "compare"
     TITLE = "Compare with a surveyed outline"
     GROUP = "One run"
-    HELP = ("Compares a result, or any raster of depths or of probabilities, with a surveyed outline, front or tip, in any CRS: "
+    HELP = ("Compares a result, or any raster of depths, with a surveyed outline, front or tip, in any CRS: "
             "hits, false alarms, misses, scores. Without a folder of its own the comparison becomes a part of the result.")
     TAGS = ("survey", "validation", "scar")
     NAMES = {"RESULT_DIR": "Folder of a result", "RESULT_DIR|RASTER": "Folder of a result",

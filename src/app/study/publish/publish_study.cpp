@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "analysis/trace.h"
-#include "app/compare/probability_comparison.h"
 #include "app/publish/publish_hazard.h"
 #include "app/publish/publish_project.h"
 #include "app/publish/report_comparison.h"
@@ -272,27 +271,6 @@ void warn_of_error(const StudyInput& input, const StudyResult& result, const Stu
             worded("study.until = {1} is not reached with all members: raise study.samples", {shortest_text(*until)}));
 }
 
-/// The probabilities against the scene's surveyed outline, where it has one.
-struct StudyComparison {
-    ProbabilityMap map;
-    ProbabilityScores scores;
-};
-
-/// Writes the scores. A survey that cannot be compared does not fail the study.
-std::optional<StudyComparison> compare_study(const StudyInput& input, const ResultDirectory& directory, RunLog& log) {
-    if (!input.base.scar || input.reading.study.region) return std::nullopt;
-    Survey survey;
-    survey.scar = parts_of(input.base.scar->features);
-    survey.scar_label = input.base.spec.observed.perimeter.value_or("");
-    return attempt(worded("the survey could not be compared: {1}"), log, [&] {
-        StudyComparison comparison{read_probability_map(directory.folder(), std::nullopt), {}};
-        comparison.map.file = fs::path(comparison.map.file).filename().string();
-        comparison.scores = compare_with_survey(comparison.map, survey, log);
-        write_probability_comparison(comparison.scores, comparison.map, survey, directory.folder());
-        return std::optional(std::move(comparison));
-    });
-}
-
 }  // namespace
 
 StudyOutcome tell_of_runs(const StudyInput& input, const std::vector<MemberRecord>& runs, const std::string& table,
@@ -380,12 +358,9 @@ StudyOutcome publish_study(StudyInput& input, std::size_t members, std::size_t c
         publish_project(directory.folder(), input.base.spec.output.title.value_or(scene_name(input.base.spec)) +
                                                 (is_region ? ", region" : ", study"));
     }
-    std::optional<StudyComparison> comparison;
-    if (!result.finished_at.empty()) comparison = compare_study(input, directory, log);
     facts.wall_seconds = since_start.seconds();
     facts.warnings += log.take_warnings();
     if (input.base.spec.output.report) write_study_report(input, result, facts, directory);
-    if (comparison) renew_report(directory.folder(), comparison->scores, comparison->map);
     write_text_file(directory.path(k_summary_file), study_summary_json(input, result, facts));
     write_text_file(directory.path(k_log_file), log.text());
     return outcome;

@@ -12,7 +12,6 @@
 #include "app/publish/html_page.h"
 #include "app/publish/report.h"
 #include "app/publish/report_answer.h"
-#include "app/publish/report_comparison.h"
 #include "app/publish/report_tables.h"
 #include "app/store/result_files.h"
 #include "app/study/plan/study_input.h"
@@ -231,9 +230,7 @@ Document study_answer(const StudyInput& input, const StudyResult& result, const 
     answer.heading("answer", words("Answer"));
     if (input.reading.study.region)
         return answer.add(region_table(input, result, facts, words)).first_warnings(facts.warnings, words);
-    return answer.add(runs_table(input, result, facts, words))
-        .part(k_comparison_answer, comparison_answer(std::nullopt, words))
-        .first_warnings(facts.warnings, words);
+    return answer.add(runs_table(input, result, facts, words)).first_warnings(facts.warnings, words);
 }
 
 /// The figures of the runs with their mean and quantiles; of a region the areas of the degrees of hazard.
@@ -402,7 +399,6 @@ void write_study_report(const StudyInput& input, const StudyResult& result, cons
         .heading("maps", words("Maps"));
     if (maps.size() > 1) page.maps({maps.begin() + 1, maps.end()}, folder, words);
     if (maps.empty()) page.paragraph(words("There are no maps."));
-    page.part(k_comparison_section, {});
     add_inputs(input, facts, words, page);
     page.charts(study_charts(), folder, words);
     end_page(input, title_of(input, words), failures_list(result, words), facts,
