@@ -127,31 +127,15 @@ VerticalUnit unit_of(const RasterSource& source, const std::string& source_crs, 
                                    : vertical_unit_named(vertical_unit);
 }
 
-void read_onto(const RasterSource& source, const std::string& source_crs, Resampling resampling,
-               const std::string& vertical_unit, RasterRead& read) {
-    const GridSpec& grid = read.raster.grid;
-    const CrsTransform to_grid = transform_to_grid(source_crs, grid);
-    read.transform = to_grid.info();
-    const VerticalUnit unit = unit_of(source, source_crs, vertical_unit);
-    if (auto warning = unit_warning(source.info(), unit, source_crs)) read.warnings.push_back(std::move(*warning));
-    Point corner;
-    if (cells_coincide(source, to_grid, grid, corner)) {
-        copy_cells(source, corner, unit.metres, read.raster);
-        read.resampling_used = "exact copy";
-    } else {
-        const RasterWarp probe(source, to_grid, GRA_NearestNeighbour, unit.metres);
-        const Method method = method_for(resampling, probe.source_cells_per_cell(grid));
-        RasterWarp(source, to_grid, method.algorithm, unit.metres).fill(read.raster);
-        read.resampling_used = method.name;
-    }
-    if (auto warning = source.suspicion()) read.warnings.push_back(std::move(*warning));
-    read.zero_rim_cells = source.zero_rim(k_wall_cells * grid.cell_size, unit.metres);
+std::string name_of(const std::string& path, const std::string& key) {
+    return key.empty() ? path : key + ": " + path;
 }
 
 }  // namespace
 
-struct RasterOnDemand::Parts {
-    std::string path, where;
+/// A file, and how its values come to the cells of a grid.
+struct OntoGrid {
+    std::string where;
     GridSpec grid;
     RasterSource source;
     CrsTransform to_grid{"", ""};
@@ -161,37 +145,46 @@ struct RasterOnDemand::Parts {
     Point scale{1, 1};
     RasterRead known{};
 
-    Parts(const std::string& file, const std::string& key, const GridSpec& target)
-        : path(file), where(key.empty() ? file : key + ": " + file), grid(target), source(file, where) {}
+    /// @param place of problems of the file, `name` of those of its transform
+    OntoGrid(const std::string& file, const Place& place, std::string name, const GridSpec& target,
+             const std::string& source_crs_override, Resampling resampling, const std::string& vertical_unit,
+             std::optional<double> nodata_value)
+        : where(std::move(name)), grid(target), source(file, place) {
+        if (nodata_value) source.declare_nodata(*nodata_value);
+        const std::string crs = crs_of(source, target, source_crs_override);
+        try {
+            to_grid = transform_to_grid(crs, target);
+            known.transform = to_grid.info();
+            const VerticalUnit units = unit_of(source, crs, vertical_unit);
+            unit = units.metres;
+            if (auto warning = unit_warning(source.info(), units, crs)) known.warnings.push_back(std::move(*warning));
+            Point at;
+            if (cells_coincide(source, to_grid, target, at)) {
+                corner = at;
+                known.resampling_used = "exact copy";
+                return;
+            }
+            scale = RasterWarp(source, to_grid, GRA_NearestNeighbour, unit).source_cells_per_cell(target);
+            const Method method = method_for(resampling, scale);
+            algorithm = method.algorithm;
+            known.resampling_used = method.name;
+        } catch (const Error& error) {
+            rethrow_naming(where, error);
+        }
+    }
+};
+
+struct RasterOnDemand::Parts : OntoGrid {
+    using OntoGrid::OntoGrid;
 };
 
 RasterOnDemand::RasterOnDemand(const std::string& path, const GridSpec& target, const std::string& source_crs_override,
                                Resampling resampling, const std::string& vertical_unit,
-                               std::optional<double> nodata_value, const Place& where)
-    : parts_(std::make_unique<Parts>(path, where, target)) {
+                               std::optional<double> nodata_value, const Place& where) {
     const GdalSession session;
-    Parts& p = *parts_;
-    if (nodata_value) p.source.declare_nodata(*nodata_value);
-    const std::string crs = crs_of(p.source, target, source_crs_override);
-    try {
-        p.to_grid = transform_to_grid(crs, target);
-        p.known.transform = p.to_grid.info();
-        const VerticalUnit unit = unit_of(p.source, crs, vertical_unit);
-        p.unit = unit.metres;
-        if (auto warning = unit_warning(p.source.info(), unit, crs)) p.known.warnings.push_back(std::move(*warning));
-        Point corner;
-        if (cells_coincide(p.source, p.to_grid, target, corner)) {
-            p.corner = corner;
-            p.known.resampling_used = "exact copy";
-            return;
-        }
-        p.scale = RasterWarp(p.source, p.to_grid, GRA_NearestNeighbour, p.unit).source_cells_per_cell(target);
-        const Method method = method_for(resampling, p.scale);
-        p.algorithm = method.algorithm;
-        p.known.resampling_used = method.name;
-    } catch (const Error& error) {
-        rethrow_naming(p.where, error);
-    }
+    const std::string name = name_of(path, where);
+    parts_ =
+        std::make_unique<Parts>(path, name, name, target, source_crs_override, resampling, vertical_unit, nodata_value);
 }
 
 RasterOnDemand::~RasterOnDemand() = default;
@@ -232,15 +225,19 @@ RasterRead read_raster_on(const std::string& path, const GridSpec& target, const
                           Resampling resampling, const std::string& vertical_unit, std::optional<double> nodata_value,
                           const Place& where) {
     const GdalSession session;
-    RasterSource source(path, where.empty() ? Place(path) : where);
-    if (nodata_value) source.declare_nodata(*nodata_value);
-    const std::string crs = crs_of(source, target, source_crs_override);
-    RasterRead read;
+    const OntoGrid file(path, where.empty() ? Place(path) : where, name_of(path, where), target, source_crs_override,
+                        resampling, vertical_unit, nodata_value);
+    RasterRead read = file.known;
     read.raster = Raster(target, k_no_data);
     try {
-        read_onto(source, crs, resampling, vertical_unit, read);
+        if (file.corner)
+            copy_cells(file.source, *file.corner, file.unit, read.raster);
+        else
+            RasterWarp(file.source, file.to_grid, file.algorithm, file.unit).fill(read.raster);
+        if (auto warning = file.source.suspicion()) read.warnings.push_back(std::move(*warning));
+        read.zero_rim_cells = file.source.zero_rim(k_wall_cells * target.cell_size, file.unit);
     } catch (const Error& error) {
-        rethrow_naming(where.empty() ? Place(path) : where + ": " + path, error);
+        rethrow_naming(file.where, error);
     }
     read.nodata_cells = std::count_if(read.raster.values.begin(), read.raster.values.end(),
                                       [](double value) { return std::isnan(value); });
