@@ -66,18 +66,6 @@ class FilmRun {
         }
         return film;
     }
-    /// Fraction of the volume where a condition is true; material that has left counts as not true.
-    [[nodiscard]] double fraction(const std::function<bool(Point)>& where) {
-        const ParticleSet& particles = run_->particles();
-        double there = 0, all = run_->model().volume_left();
-        for (std::size_t p = 0; p < particles.size(); ++p) {
-            const double volume = particles[Field::volume][p];
-            all += volume;
-            if (where({particles[Field::x][p], particles[Field::y][p]})) there += volume;
-        }
-        return there / all;
-    }
-
     /// By volume, in map view [m].
     [[nodiscard]] double mean_jump() {
         const JumpStatistics& jumps = run_->flow().flights().statistics();
@@ -276,39 +264,6 @@ CaseStatistics run_gully_bend(double cell_size, Scheme scheme) {
                          {{"energy gained over fall", (end.energy() - height) / (height - end.height), 0.02}}, cost);
 }
 
-// Down 35 degrees and up a ridge of 45 degrees, rounded over 40 m: returns the height of rest from which half of the
-// film passes.
-double passing_height(double crest, double cell_size, Scheme scheme, double angle, CaseStatistics& cost) {
-    constexpr double k_round = 20;
-    const double down = std::tan(35 * k_degree), start = 0.6 * crest, ahead = start / down;
-    const auto profile = [=](double s) {
-        if (s < ahead) return (ahead - s) * down;
-        const double from_crest = std::abs(s - ahead - crest - 0.5 * k_round);
-        return crest - (from_crest < k_round ? square(from_crest) / (2 * k_round) : from_crest - 0.5 * k_round);
-    };
-    const Turned frame({k_margin, k_margin}, angle);
-    double low = 0.8 * crest, high = 1.25 * crest;
-    for (int i = 0; i < 7; ++i) {
-        const double height = 0.5 * (low + high);
-        FilmRun run = along(profile, ahead + 2.5 * crest, 0, height, angle, cell_size, scheme);
-        run.advance_to(16, [](const Film&) {});
-        (run.fraction([&](Point p) { return frame.in(p).x < ahead + crest + 0.5 * k_round; }) > 0.5 ? low : high) =
-            height;
-        run.add_cost_to(cost);
-    }
-    return 0.5 * (low + high);
-}
-
-CaseStatistics run_ridge(double cell_size, Scheme scheme) {
-    constexpr double k_crest = 100;
-    CaseStatistics cost;
-    std::vector<CaseStatistic> own;
-    for (const double angle : k_angles)
-        own.push_back({text_of("height that passes over the ridge's - 1, turned by %g%.0s%.0s", angle, 0, 0),
-                       passing_height(k_crest, cell_size, scheme, angle, cost) / k_crest - 1, 0.02});
-    return statistics_of(cell_size, own, cost);
-}
-
 // At 20 m/s over an edge of 50 m: a parabola, then further at 20 m/s.
 CaseStatistics run_cliff_jump(double cell_size, Scheme scheme) {
     constexpr double k_speed = 20, k_edge = 100, k_drop = 50;
@@ -341,7 +296,6 @@ CaseStatistics run_cliff_jump(double cell_size, Scheme scheme) {
 ///               those behind
 ///   valley-surge  the same from rest on half of a face: climb less that of the exact flow, for four pairs
 ///   gully-bend  down a half-pipe that turns by 90 degrees; change of the energy over the fall
-///   ridge       against a ridge: height of rest from which half of it passes over the ridge's, minus 1
 ///
 /// l1_depth of these cases is the largest of their own values, l1_momentum the mean.
 std::vector<AccuracyCase> steep_ground() {
@@ -350,7 +304,6 @@ std::vector<AccuracyCase> steep_ground() {
             {"valley-surge", "thin film without friction into a V, whose parts overtake each other on the other side",
              cells, false, run_valley_surge},
             {"gully-bend", "thin film without friction down a half-pipe round a bend", cells, false, run_gully_bend},
-            {"ridge", "thin film without friction against a ridge that a part overtops", cells, false, run_ridge},
             {"cliff-jump", "film of 30 cm without friction over an edge of 50 m", cells, false, run_cliff_jump, true}};
 }
 

@@ -58,23 +58,6 @@ struct Seed {
 ///   directions, from a fixed generator (SplitMix64), the same on every machine
 ParticleSet fill_lattice(const GridSpec& grid, int per_side, double jitter, const std::function<Seed(Point)>& state);
 
-/// Gives each key that a law of a list needs and the material lacks a value within its limits, so that every law can be
-/// built.
-template <class List>
-void give_needed_keys(LawValues& of_laws) {
-    List::for_each([&]<class Law>() {
-        if constexpr (requires { typename Law::Values; }) {
-            typename Law::Values& values = of_laws.of<Law>();
-            for_each_key<Law>([&](const auto& key) {
-                if constexpr (requires { values.*key.member = key.range.highest; }) {
-                    if (key.needed() && !(values.*key.member))
-                        values.*key.member = std::sqrt(key.range.highest * std::fmax(key.range.lowest, 1e-3));
-                }
-            });
-        }
-    });
-}
-
 /// Initial state and parameters of a flow.
 struct Setup {
     Raster bed;
