@@ -15,12 +15,12 @@ namespace {
 /// Frames share one scale, so its range must be specified.
 template <class Spec>
 const Spec& with_fixed_scale(const Spec& base) {
-    const bool fixed = !base.classes.empty() || base.maximum || !base.categories.empty() ||
+    const bool fixed = !base.classes.empty() || !base.categories.empty() ||
                        (base.layer != nullptr && !value_range(*base.layer).empty());
     if (!fixed) {
         throw Error(ErrorKind::input,
                     Problem{"an animation's colour scale is not fixed", "", "", "",
-                            "give class bounds, a maximum, or the maximum over time as the base's raster"});
+                            "give class bounds, or the maximum over time as the base's raster"});
     }
     return base;
 }

@@ -17,7 +17,7 @@ namespace frana::render {
 template <class Spec>
 class Animator {
   public:
-    /// The colour scale follows from the base's classes or maximum, else from its raster, ideally the maximum over
+    /// The colour scale follows from the base's classes, else from its raster, ideally the maximum over
     /// time; so does the window. Rasters and texts are copied or drawn here: `base` may be destroyed afterwards. Throws
     /// as map_page and view_page, and Error(input) if nothing defines the scale.
     explicit Animator(const Spec& base);

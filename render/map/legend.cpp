@@ -38,9 +38,9 @@ std::vector<double> progressive_classes(double maximum) {
 
 std::vector<double> usual_bounds(const ScaleRequest& request, const ValueRange& range) {
     if (!request.classes.empty()) return request.classes;
-    const double top = request.maximum ? *request.maximum : !range.empty() ? range.greatest : 1;
-    if (!request.maximum && mostly_small(request.layer, range)) return progressive_classes(top);
-    if (range.empty() || range.least >= 0 || request.maximum) return nice_classes(top, k_usual_classes);
+    const double top = range.empty() ? 1 : range.greatest;
+    if (mostly_small(request.layer, range)) return progressive_classes(top);
+    if (range.empty() || range.least >= 0) return nice_classes(top, k_usual_classes);
     // Values on both sides of zero (change of height): the same steps both ways, with a bound at zero.
     const double step = nice_step_above((std::max(top, 0.0) - range.least) / k_usual_classes);
     std::vector<double> bounds{std::floor(range.least / step) * step};
@@ -62,14 +62,8 @@ ValueRange value_range(const Raster& raster) {
 
 ColourScale::ColourScale(const ScaleRequest& request) : words_(request.words) {
     Problems problems;
-    if (!request.categories.empty() && (!request.classes.empty() || request.maximum)) {
-        problems.add(
-            {"a map's raster has both categories and class bounds or a maximum", "", "", "", "give one of them"});
-    }
-    if (request.maximum && !(*request.maximum > 0 && std::isfinite(*request.maximum))) {
-        problems.add(
-            {"the end of a colour scale must be positive", "", number(*request.maximum), "greater than 0", ""});
-    }
+    if (!request.categories.empty() && !request.classes.empty())
+        problems.add({"a map's raster has both categories and class bounds", "", "", "", "give one of them"});
     const bool rising = std::adjacent_find(request.classes.begin(), request.classes.end(),
                                            [](double a, double b) { return !(a < b); }) == request.classes.end();
     const auto finite = std::count_if(request.classes.begin(), request.classes.end(),
@@ -91,8 +85,7 @@ ColourScale::ColourScale(const ScaleRequest& request) : words_(request.words) {
     if (fixed_open) bounds.pop_back();
     const bool fixed_open_below = bounds.front() == -k_infinity;
     if (fixed_open_below) bounds.erase(bounds.begin());
-    const bool given = !request.classes.empty() || request.maximum;
-    const bool unseen = request.for_unseen_values && given;
+    const bool unseen = request.for_unseen_values && !request.classes.empty();
     // A raster that is given as well has their greatest values: a class that none is in would change all colours.
     const bool beyond = unseen && range.empty();
     const bool open_below = fixed_open_below || range.least < bounds.front() || (unseen && bounds.front() > 0);
@@ -151,7 +144,7 @@ bool has_values(const PictureSpec& spec) {
 
 ColourScale scale_of(const PictureSpec& spec, bool for_frames) {
     if (!has_values(spec) && !for_frames) return {};
-    return ColourScale({spec.palette, spec.maximum, spec.classes, spec.categories, spec.layer, for_frames, spec.words});
+    return ColourScale({spec.palette, spec.classes, spec.categories, spec.layer, for_frames, spec.words});
 }
 
 namespace {

@@ -33,7 +33,6 @@ ValueRange value_range(const Raster& raster);
 /// Input of a colour scale; members as in PictureSpec.
 struct ScaleRequest {
     std::string palette;
-    std::optional<double> maximum;
     std::vector<double> classes;
     std::vector<ClassLabel> categories;
     const Raster* layer = nullptr;

@@ -99,8 +99,7 @@ struct PictureSpec {
     const Raster* extent = nullptr;
     const Dots* dots = nullptr;          ///< over the layer, in the same colours; may be absent
     std::string palette = "depth";       ///< name of a palette in core/colour.h
-    std::optional<double> maximum;       ///< end of the colour scale; values above it get a separate open class
-    std::vector<double> classes;         ///< rising bounds, first and last may be infinite; empty: up to the maximum
+    std::vector<double> classes;         ///< rising bounds, first and last may be infinite; empty: by the values
     std::vector<ClassLabel> categories;  ///< not empty: the raster's values are classes, exactly these
     std::vector<Outline> outlines;
     std::vector<std::string> side_notes;  ///< lines of values beside the picture, below the legend

@@ -71,12 +71,8 @@ constexpr const char* k_long_time = "t = 1234.5 s, ";
 
 /// The legend of the depth, whose classes are as many as those of any other quantity.
 ColourScale usual_scale() {
-    return ColourScale({"depth",
-                        std::nullopt,
-                        {0, 0.2, 0.5, 1, 2, 5, 10, 20, 50, std::numeric_limits<double>::infinity()},
-                        {},
-                        nullptr,
-                        false});
+    return ColourScale(
+        {"depth", {0, 0.2, 0.5, 1, 2, 5, 10, 20, 50, std::numeric_limits<double>::infinity()}, {}, nullptr, false});
 }
 
 LegendContent legend_of(const PageText& text, const MapSpec& spec, const std::vector<std::string>& notes) {

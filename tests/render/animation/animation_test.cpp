@@ -85,12 +85,12 @@ TEST(MapAnimator, AFrameBeyondTheScaleIsRefusedNotHidden) {
     }
 }
 
-TEST(MapAnimator, WithAGivenMaximumHigherValuesHaveAClass) {
+TEST(MapAnimator, WithGivenClassesHigherValuesHaveAClass) {
     const Raster ground = test::terrain(), layer = test::tongue();
     MapSpec spec = test::full_map(ground, layer, 640, 480);
     spec.layer = nullptr;
     EXPECT_THROW(MapAnimator{spec}, Error);  // nothing defines the scale
-    spec.maximum = 5;
+    spec.classes = {0, 1, 2, 3, 4, 5};
     MapAnimator animator(spec);
     EXPECT_EQ(animator.frame(test::tongue(25), "").width, 640);
 }

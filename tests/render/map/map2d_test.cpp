@@ -90,7 +90,7 @@ TEST(Map, TheFlowHasADarkEdgeOnTheGroundBesideIt) {
     MapLayout layout;
     const Image map = draw_map(spec, &layout);
     spec.layer = nullptr;
-    spec.maximum = 10;
+    spec.classes = {0, 2, 4, 6, 8, 10};
     spec.window = layout.window;
     MapLayout bare_layout;
     const Image bare = draw_map(spec, &bare_layout);

@@ -80,7 +80,7 @@ MapFrame frame_at(double deg) {
 }
 
 TEST(TurnedMap, EachPixelHasTheClassOfTheCellUnderItsCentre) {
-    const ColourScale scale({"depth", std::nullopt, {0, 1, 2, 3, 4, 5, 6}, {}, nullptr, false, {}});
+    const ColourScale scale({"depth", {0, 1, 2, 3, 4, 5, 6}, {}, nullptr, false, {}});
     for (const double cell_size : {0.31, 1.0, 7.3}) {  // smaller and larger than a pixel, half a metre
         Raster layer(GridSpec{527300, 5094330, cell_size, static_cast<std::int64_t>(600 / cell_size),
                               static_cast<std::int64_t>(300 / cell_size), ""},
