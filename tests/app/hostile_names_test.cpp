@@ -69,7 +69,7 @@ TEST_F(HostileNames, BytesThatAreNotUtf8) {
     const std::string folder = "caf\xE9 <i>&amp;\"";
     fs::create_directory(path(folder));
     write_scene(
-        "frame-interval = 2\n[output]\nmaps = max_depth\nmap-size = 640x480\nmap-formats = png, pdf, tif\n"
+        "frame-interval = 2\n[output]\nmaps = max_depth\nmap-size = 640x480\nmap-formats = png, pdf\n"
         "animation = off\n[scar]\nperimeter = perimeter.geojson\n");
     for (const char* file : {"dtm.asc", "dtm.prj", "perimeter.geojson", "scene.ini"})
         fs::copy(path(file), path(folder + "/" + file));

@@ -19,7 +19,7 @@ inline const std::string k_section =
        {"type": "Feature", "properties": {"name": "bridge"}, "geometry": {"type": "LineString", "coordinates": [[527080, 5094000], [527080, 5094150]]}}]})";
 
 inline const std::string k_every_output =
-    "[output]\nframes = on\nmap-size = 640x480\nmap-formats = png, pdf, svg, tif\nmaps = max_depth, "
+    "[output]\nframes = on\nmap-size = 640x480\nmap-formats = png, pdf, svg\nmaps = max_depth, "
     "max_velocity_3d\n"
     "formats = geotiff, particles-gpkg\n"
     "gauges = gauge.geojson\ncross-sections = section.geojson\n"
@@ -54,7 +54,7 @@ class ResultScenes : public TinyScene {
     void render_all() const {
         render({"--charts", "--size", "640x480"});
         render({"--animation", "old/film.gif", "--size", "640x480"});
-        render({"--map", "depth@1", "--map", "dtm", "--format", "tif", "--size", "640x480"});
+        render({"--map", "depth@1", "--map", "dtm", "--size", "640x480"});
         render({"--map", "max_depth", "--out", "old/more", "--size", "640x480"});
         ASSERT_EQ(
             frana({"compare", "old", "--scar", "scar.geojson", "--size", "640x480", "--out", "old/compared"}).exit_code,

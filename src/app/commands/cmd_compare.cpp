@@ -11,6 +11,7 @@
 #include "app/commands/forecast.h"
 #include "app/compare/comparison.h"
 #include "app/input/check_inputs.h"
+#include "app/pictures/charts.h"
 #include "app/pictures/map_layer.h"
 #include "app/pictures/map_source.h"
 #include "app/pictures/result_numbers.h"
@@ -130,15 +131,15 @@ Raster foreign_depth(const std::string& file) {
 
 /// A survey is of one event, and a study's chances are no depths.
 void refuse_probability(const std::string& operand) {
-    const bool is_study = fs::is_directory(operand) ? ResultReader(operand).is_of_study()
-                                                    : fs::is_regular_file(operand) && attempt([&] {
-                                                          return probability_name(operand).has_value();
-                                                      });
+    const bool is_study =
+        fs::is_directory(operand)
+            ? ResultReader(operand).is_of_study()
+            : fs::is_regular_file(operand) && attempt([&] { return probability_name(operand).has_value(); });
     if (is_study)
-        throw Error(ErrorKind::input, Problem{"is of a study, and one survey is compared with one run",
-                                              "RESULT_DIR|RASTER", operand, "",
-                                              "Compare a run with the values of a row of members.csv; `frana calibrate` "
-                                              "finds the values that agree best"});
+        throw Error(ErrorKind::input,
+                    Problem{"is of a study, and one survey is compared with one run", "RESULT_DIR|RASTER", operand, "",
+                            "Compare a run with the values of a row of members.csv; `frana calibrate` "
+                            "finds the values that agree best"});
 }
 
 /// The simulated data: a result of frana or one raster of any program.

@@ -61,8 +61,7 @@ void add_style_options(CommandForm& form) {
         "a round scale, if the flow still fills the page well)")(
         "turn", one("DEGREES"),
         "maps: grid north, clockwise from up (default: 0); auto: the flow's longer axis along the page's longer side")(
-        "format", many("png|pdf|svg|tif"),
-        "png (default), pdf, svg, tif (the area inside the frame, georeferenced); repeatable")(
+        "format", many("png|pdf|svg"), "png (default), pdf, svg; repeatable")(
         "background", one("FILE"), "orthophoto or topographic raster instead of the relief")(
         "attribution", one("TEXT"), "sources of the data, at the foot")("author", one("TEXT"),
                                                                         "author and organisation, in the title block")(
@@ -268,11 +267,6 @@ struct DrawingPlace {
 /// replace a file not made by frana or belongs to another result.
 void prepare_place(const DrawingPlace& place, const std::vector<std::string>& files, Problems& problems) {
     refuse_inputs(files, place.inputs, place.option, problems);
-    for (const std::string& file : files)  // a picture never replaces a raster
-        if (file.ends_with(".tif") && fs::is_regular_file(file) && !gis::is_drawn_geotiff(file))
-            problems.add({"exists already and was not drawn by frana", place.option, file, "",
-                          "Choose another folder with --out"});
-    problems.throw_if_any();  // one problem per file
     check_own(place.folder, files, place.option, place.reads, problems);
     problems.throw_if_any();
     place.is_own ? make_drawing_folder(place.folder) : make_picture_folder(place.folder);
@@ -296,23 +290,10 @@ void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool vie
     Problems problems;
     std::vector<std::string> files;
     for (const MapLayer& layer : layers)
-        for (const std::string& file : picture_files(source.style, stem(layer), !view_3d)) files.push_back(file);
+        for (const std::string& file : picture_files(source.style, stem(layer))) files.push_back(file);
     prepare_place(place, files, problems);
     LayerDrawer drawer(source);
     for (const MapLayer& layer : layers) log_written(drawer.draw(layer, view_3d, stem(layer)));
-}
-
-/// A picture among a result's rasters would be read as one of them.
-void check_folder(const ResultReader& result, const Request& request, const MapSource& source, Problems& problems) {
-    const std::vector<std::string>& formats = source.style.formats;
-    if (!request.out || std::find(formats.begin(), formats.end(), "tif") == formats.end()) return;
-    std::error_code ignored;
-    const fs::path folder = fs::weakly_canonical(*request.out, ignored);
-    for (const char* data : {"", k_frame_folder}) {
-        if (fs::weakly_canonical(result.path(data), ignored) / "" == folder / "")
-            problems.add({"contains the result's own rasters: pictures as tif cannot be written there", "--out",
-                          *request.out, "", "Omit --out: RESULT_DIR/maps"});
-    }
 }
 
 /// The maps of differences; `source` becomes theirs.
@@ -353,7 +334,6 @@ void render_result(const Values& values, const Request& request, Problems& probl
             attempt(problems, [&] { layers.push_back(result.map_layer(name)); });
         }
     }
-    check_folder(result, request, source, problems);
     problems.throw_if_any();
     const Size animation = values.count("size") > 0 ? source.style.size : animation_size(source.style.size);
     refuse_too_large(values, request, source.style.size, animation,

@@ -200,10 +200,6 @@ std::string raster_file() {
     return std::string(k_name) + ".tif";
 }
 
-std::string tif_stem(const std::string& folder) {
-    return (fs::path(folder) / "maps" / k_name).string();
-}
-
 void make_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
@@ -354,7 +350,7 @@ std::vector<std::string> comparison_files(const std::string& folder) {
 }
 
 std::vector<std::string> comparison_pictures(const MapStyle& style, const std::string& folder) {
-    return picture_files(style, comparison_stem(folder), true, tif_stem(folder));
+    return picture_files(style, comparison_stem(folder));
 }
 
 void draw_comparison(const Comparison& comparison, LayerDrawer& drawer, const std::string& folder) {
@@ -382,9 +378,8 @@ void draw_comparison(const Comparison& comparison, LayerDrawer& drawer, const st
     layer.source = raster_file();
     for (const ClassText& entry : k_classes)
         layer.categories.push_back({static_cast<double>(entry.kind), class_label(entry.label(), words), entry.colour});
-    for (const std::string& file : comparison_pictures(drawer.style(), folder))
-        make_folder(fs::path(file).parent_path());
-    drawer.draw(layer, false, comparison_stem(folder), tif_stem(folder));
+    make_folder(folder);
+    drawer.draw(layer, false, comparison_stem(folder));
 }
 
 ComparisonInput surveyed(const Prepared& prepared) {

@@ -303,7 +303,7 @@ std::vector<std::string> chart_files(const ResultReader& result, const MapSource
     std::vector<std::string> files;
     Problems drawn_later;  // repeated and reported at that time
     for (const NamedChart& one : result_charts(result, source, drawn_later)) {
-        const auto more = picture_files(source.style, (std::filesystem::path(folder) / one.name).string(), false);
+        const auto more = picture_files(source.style, (std::filesystem::path(folder) / one.name).string());
         files.insert(files.end(), more.begin(), more.end());
     }
     return files;

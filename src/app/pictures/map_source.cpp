@@ -142,10 +142,6 @@ Spec for_page(Spec spec, const MapLayer& layer, double height_mm) {
     return spec;
 }
 
-gis::PicturePixels pixels(const render::Image& image) {
-    return {image.width, image.height, image.rgb};
-}
-
 /// The files of a page, each in the format of its ending. Its pixels are drawn once, if a format needs them.
 class PageFiles {
   public:
@@ -180,15 +176,6 @@ Bounds ground_of_page(const render::MapLayout& layout) {
             layout.window.south - (layout.page.bottom - layout.map.bottom) * metre,
             layout.window.east + (layout.page.right - layout.map.right) * metre,
             layout.window.north + layout.map.top * metre};
-}
-
-/// Returns the part inside the map's frame.
-render::Image face_of(const render::Image& page, const render::PageBox& map) {
-    const int left = static_cast<int>(map.left), top = static_cast<int>(map.top);
-    render::Image face(static_cast<int>(map.width()), static_cast<int>(map.height()));
-    for (int row = 0; row < face.height; ++row)
-        std::copy_n(page.pixel(left, top + row), 3 * face.width, face.pixel(0, row));
-    return face;
 }
 
 }  // namespace
@@ -330,19 +317,15 @@ render::ViewSpec view_spec(const MapSource& source, const MapLayer& layer) {
     return spec;
 }
 
-std::vector<std::string> picture_files(const MapStyle& style, const std::string& stem, bool is_on_ground,
-                                       const std::string& tif_stem) {
+std::vector<std::string> picture_files(const MapStyle& style, const std::string& stem) {
     std::vector<std::string> files;
-    for (const std::string& format : style.formats) {
-        const bool is_tif = format == "tif";
-        if (is_on_ground || !is_tif) files.push_back((is_tif && !tif_stem.empty() ? tif_stem : stem) + "." + format);
-    }
+    for (const std::string& format : style.formats) files.push_back(stem + "." + format);
     return files;
 }
 
 std::vector<std::string> write_plain_picture(const render::Page& page, const MapStyle& style, const std::string& title,
                                              const std::string& stem) {
-    const std::vector<std::string> files = picture_files(style, stem, false);
+    const std::vector<std::string> files = picture_files(style, stem);
     PageFiles writer(page, title, style.size.dots_per_inch);
     for (const std::string& file : files) writer.write(file, std::nullopt);
     return files;
@@ -369,25 +352,16 @@ std::vector<std::string> LayerDrawer::draw_map(const MapLayer& layer, const std:
     const render::Page page = map_page(spec, layout);
     const std::string& crs = layer.values.grid.crs_wkt;
     PageFiles writer(page, spec.title, source_.style.size.dots_per_inch);
-    for (const std::string& file : files) {
-        if (!file.ends_with(".tif")) {
-            writer.write(file, gis::PicturePlace{ground_of_page(layout), layout.window, crs, layout.turn});
-        } else {
-            const render::Image face = face_of(writer.pixels(), layout.map);
-            gis::write_picture_geotiff(
-                file, pixels(face), layout.window, crs,
-                {{"TITLE", spec.title}, {"SOURCE", spec.source}, {"ATTRIBUTION", spec.attribution}}, layout.turn);
-        }
-    }
+    for (const std::string& file : files)
+        writer.write(file, gis::PicturePlace{ground_of_page(layout), layout.window, crs, layout.turn});
     return files;
 }
 
-std::vector<std::string> LayerDrawer::draw(const MapLayer& layer, bool view_3d, const std::string& stem,
-                                           const std::string& tif_stem) {
+std::vector<std::string> LayerDrawer::draw(const MapLayer& layer, bool view_3d, const std::string& stem) {
     if (!page_folder_.empty())
         draw_for_page(layer, view_3d, page_folder_ + "/" + std::filesystem::path(stem).filename().string() + ".png");
     if (source_.style.formats.empty()) return {};
-    if (!view_3d) return draw_map(layer, picture_files(source_.style, stem, true, tif_stem));
+    if (!view_3d) return draw_map(layer, picture_files(source_.style, stem));
     const render::ViewSpec spec = view_spec(source_, layer);
     return write_plain_picture(views_.draw(spec), source_.style, spec.title, stem);
 }

@@ -38,7 +38,7 @@ std::vector<std::string> map_notes(const MapFacts& facts, const Words& words);
 /// Appearance of pictures: the keys output.map-... of a scene, or the options of `frana render`.
 struct MapStyle {
     Size size = *size_from_text("auto");
-    std::vector<std::string> formats{"png"};  ///< of png, pdf, svg, tif
+    std::vector<std::string> formats{"png"};  ///< of png, pdf, svg
     std::string background;                   ///< orthophoto or topographic raster; empty: the relief
     std::string attribution;                  ///< of data and author, at the foot
     std::optional<double> scale;              ///< of maps on paper, n of 1 : n
@@ -108,11 +108,8 @@ render::MapSpec page_map_spec(const MapSource& source, const MapLayer& layer, do
 /// Returns the function from map points of a CRS to longitude and latitude; absent without CRS.
 std::function<Point(Point)> longitude_latitude(const std::string& crs_wkt);
 
-/// Returns the files of a picture in the formats of the style: STEM.png, STEM.pdf, STEM.svg, and STEM.tif for
-/// pictures of the ground.
-/// @param tif_stem replaces STEM, if a raster has that name
-std::vector<std::string> picture_files(const MapStyle& style, const std::string& stem, bool is_on_ground,
-                                       const std::string& tif_stem = "");
+/// Returns the files of a picture in the formats of the style: STEM.png, STEM.pdf, STEM.svg.
+std::vector<std::string> picture_files(const MapStyle& style, const std::string& stem);
 
 /// Draws rasters of one result, one after the other: common parts are drawn once.
 class LayerDrawer {
@@ -129,10 +126,9 @@ class LayerDrawer {
     /// gets a sentence about it, once for a scale.
     void draw_at_next_scale(std::function<void(const Sentence&)> warn) { warn_ = std::move(warn); }
 
-    /// Draws the map STEM.png (or .pdf, .svg, .tif, by the style) or a view, and returns the names of the files. A view
-    /// is no GeoTIFF; `tif_stem` as in picture_files. Throws Error.
-    std::vector<std::string> draw(const MapLayer& layer, bool view_3d, const std::string& stem,
-                                  const std::string& tif_stem = "");
+    /// Draws the map STEM.png (or .pdf, .svg, by the style) or a view, and returns the names of the files. Throws
+    /// Error.
+    std::vector<std::string> draw(const MapLayer& layer, bool view_3d, const std::string& stem);
 
   private:
     std::vector<std::string> draw_map(const MapLayer& layer, const std::vector<std::string>& files);

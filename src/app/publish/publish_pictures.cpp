@@ -109,7 +109,7 @@ void draw_maps(const std::vector<std::string>& requested, const ResultReader& wr
                               (row != nullptr && row->if_it_happens);
         if (may_lack && !written.has(layer + ".tif")) continue;
         const std::string stem = written.path("maps/" + name);
-        drawings.attempt("maps/" + name, picture_files(drawer.style(), stem, !view_3d), [&] {
+        drawings.attempt("maps/" + name, picture_files(drawer.style(), stem), [&] {
             make_drawing_folder(written.path("maps"));
             drawer.draw(written.map_layer(layer), view_3d, stem);
             return true;

@@ -82,10 +82,8 @@ class Table {
         return *this;
     }
     /// Adds a picture in every format of output.map-formats.
-    /// Of a picture without a position on the ground.
     Table& add_page(const std::string& stem) {
-        for (const std::string& format : picture_formats())
-            if (format != "tif") add(FileKind::picture, {stem + "." + format});
+        for (const std::string& format : picture_formats()) add(FileKind::picture, {stem + "." + format});
         return *this;
     }
     [[nodiscard]] std::vector<ResultFile> rows() const { return rows_; }
@@ -139,7 +137,7 @@ std::vector<ResultFile> make_table() {
     table.add(FileKind::text, {k_calibration_file, k_best_scene, best_scene_of("*")});
     table.add_rasters();
     table.by("render");
-    table.add_page("maps/*").add(FileKind::picture, {"maps/*.tif"});
+    table.add_page("maps/*");
     table.add_page("charts/*");
     table.add(FileKind::animation, {k_animation_file, "animation.gif"});
     return table.rows();

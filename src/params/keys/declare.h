@@ -300,6 +300,18 @@ ParameterOf<Spec> word_list(const std::string& name, Member member, const std::v
     return result;
 }
 
+/// Refuses words that earlier versions took, each with what to do instead.
+template <class Spec>
+ParameterOf<Spec> without(ParameterOf<Spec> list, std::vector<std::pair<std::string, std::string>> gone) {
+    list.read = [of_words = list.read, gone](Spec& spec, const std::string& value) -> std::optional<ValueProblem> {
+        for (const std::string& word : words_of(value))
+            for (const auto& [old, instead] : gone)
+                if (word == old) return ValueProblem{"'" + word + "' is no longer written", instead};
+        return of_words(spec, value);
+    };
+    return list;
+}
+
 /// Positive numbers in strictly rising order, at most `most`; none by default.
 template <class Member>
 Parameter rising_numbers(const std::string& name, Member member, const std::string& unit, const std::string& meaning,

@@ -39,7 +39,7 @@ Parameter understood_text(const std::string& name, Member member, const std::str
 }  // namespace
 
 const std::vector<std::string>& picture_formats() {
-    static const std::vector<std::string> k_formats{"png", "pdf", "svg", "tif"};
+    static const std::vector<std::string> k_formats{"png", "pdf", "svg"};
     return k_formats;
 }
 
@@ -49,9 +49,10 @@ void add_pictures(std::vector<Parameter>& list) {
         "Size of maps, views and charts, in pixels or as a page; auto: 1600x1200. It and a page "
         "without a direction are upright for maps of a flow taller than wide.",
         [](const std::string& value) { return size_from_text(value).has_value(); }));
-    list.push_back(word_list(
-        "output.map-formats", FRANA_MEMBER(output.map_formats), {}, picture_formats(),
-        "File formats of each map: picture, geospatial PDF page, SVG drawing, GeoTIFF of the area inside the frame."));
+    list.push_back(
+        declare::without(word_list("output.map-formats", FRANA_MEMBER(output.map_formats), {}, picture_formats(),
+                                   "File formats of each map: picture, geospatial PDF page, SVG drawing."),
+                         {{"tif", "Write pdf, which has a place on the ground too"}}));
     list.push_back(
         holds("raster",
               text("output.map-background", FRANA_MEMBER(output.map_background), "file",

@@ -12,7 +12,7 @@
 
 namespace frana {
 
-/// Returns the file formats of maps, which are the endings of their files: "png", "pdf", "svg", "tif".
+/// Returns the file formats of maps, which are the endings of their files: "png", "pdf", "svg".
 const std::vector<std::string>& picture_formats();
 
 /// Whether the particles of each frame are written.

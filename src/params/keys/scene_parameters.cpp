@@ -329,24 +329,15 @@ void add_numerics(std::vector<Parameter>& list) {
     list.push_back(accuracy_parameter());
 }
 
-/// Formats of earlier versions, and what makes them of the files that are written.
-constexpr std::pair<const char*, const char*> k_gone_formats[] = {
-    {"netcdf", "Leave it out: gdal_translate -of netCDF makes it of frames/*.tif"},
-    {"zarr", "Leave it out: gdal_translate -of Zarr makes it of frames/*.tif"},
-    {"ascii", "Leave it out: gdal_translate -of AAIGrid makes it of a GeoTIFF"},
-    {"particles-vtp", "Write particles-gpkg in its place"}};
-
 Parameter formats_key() {
-    Parameter key = word_list("output.formats", FRANA_MEMBER(output.formats), {}, {"geotiff", "particles-gpkg"},
-                              "Formats: GeoTIFF is always written; particles-gpkg adds the particles of each frame as "
-                              "GeoPackage points.");
-    key.read = [of_words = key.read](SceneSpec& scene, const std::string& value) -> std::optional<ValueProblem> {
-        for (const std::string& word : words_of(value))
-            for (const auto& [gone, instead] : k_gone_formats)
-                if (word == gone) return ValueProblem{"'" + word + "' is no longer written", instead};
-        return of_words(scene, value);
-    };
-    return key;
+    return declare::without(
+        word_list("output.formats", FRANA_MEMBER(output.formats), {}, {"geotiff", "particles-gpkg"},
+                  "Formats: GeoTIFF is always written; particles-gpkg adds the particles of each frame as GeoPackage "
+                  "points."),
+        {{"netcdf", "Leave it out: gdal_translate -of netCDF makes it of frames/*.tif"},
+         {"zarr", "Leave it out: gdal_translate -of Zarr makes it of frames/*.tif"},
+         {"ascii", "Leave it out: gdal_translate -of AAIGrid makes it of a GeoTIFF"},
+         {"particles-vtp", "Write particles-gpkg in its place"}});
 }
 
 void add_rest(std::vector<Parameter>& list) {

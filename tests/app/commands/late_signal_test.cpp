@@ -95,20 +95,19 @@ TEST_F(Late, SignalWithoutEffectIsNoError) {
 
 // It is told of, and drawn by the next command that can.
 TEST_F(Late, ErrorOfAPictureLeavesAResult) {
-    ASSERT_EQ(
-        frana(command("first", {"--quiet", "--set", "output.maps=off", "--set", "output.animation=off"})).exit_code, 0);
-    ASSERT_EQ(frana({"render", "first", "--map", "max_depth", "--format", "tif", "--out", "."}).exit_code, 0);
-    fs::rename(path("max_depth.tif"), path("photo.tif"));
-    const std::vector<std::string> photo{"--set", "output.map-background=photo.tif", "--set", "output.animation=off"};
+    write("photo.bil", std::string(400, '\x80'));
+    write("photo.hdr", "NROWS 20\nNCOLS 20\nNBITS 8\nULXMAP 527005\nULYMAP 5094145\nXDIM 10\nYDIM 10\n");
+    fs::copy_file(path("dtm.prj"), path("photo.prj"));
+    const std::vector<std::string> photo{"--set", "output.map-background=photo.bil", "--set", "output.animation=off"};
     ASSERT_EQ(frana(command("whole", photo)).exit_code, 0);
     StartedProgram program(folder_.string(), command("result", photo));
     ASSERT_TRUE(program.wait_until([&] { return has_begun("result", "frames/depth_0001.tif"); }));
-    fs::rename(path("photo.tif"), path("elsewhere.tif"));
+    fs::rename(path("photo.bil"), path("elsewhere.bil"));
     const Outcome outcome = program.wait();
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("maps/max_depth could not be drawn"), std::string::npos) << outcome.err;
     EXPECT_TRUE(fs::exists(path("result/max_depth.tif")) && !fs::exists(path("result/maps/max_depth.png")));
-    fs::rename(path("elsewhere.tif"), path("photo.tif"));
+    fs::rename(path("elsewhere.bil"), path("photo.bil"));
     ASSERT_EQ(frana({"run", "result/scene.ini", "--out", "result", "--resume", "--quiet"}).exit_code, 0);
     EXPECT_TRUE(fs::exists(path("result/maps/max_depth.png")));
 }

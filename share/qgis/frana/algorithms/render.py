@@ -41,7 +41,7 @@ class RenderAlgorithm(FranaAlgorithm):
             parameter.setHelp(text)
             self.addParameter(parameter)
         self.addParameter(QgsProcessingParameterEnum("VIEW", "View", ["2d", "3d"], False, "2d", True, True))
-        self.addParameter(QgsProcessingParameterEnum("FORMATS", "Formats (otherwise png)", ["png", "pdf", "svg", "tif"], True,
+        self.addParameter(QgsProcessingParameterEnum("FORMATS", "Formats (otherwise png)", ["png", "pdf", "svg"], True,
                                                      None, True, True))
         self.addParameter(QgsProcessingParameterEnum("KIND", "What to draw", ["maps", "charts"], False, "maps",
                                                      True, True))
