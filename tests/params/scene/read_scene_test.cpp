@@ -180,7 +180,8 @@ TEST_F(ReadScene, FormatsThatAreGoneAreRefusedWithWhatMakesThem) {
         EXPECT_NE(all[0].what.find("'" + gone + "' is no longer written"), std::string::npos);
         EXPECT_NE(all[0].remedy.find(gone == "particles-vtp" ? "particles-gpkg" : "gdal_translate"), std::string::npos);
     }
-    EXPECT_TRUE(has_problem(problems(k_least + "[output]\nmap-formats = png, tif\n"), "output.map-formats", "tif"));
+    EXPECT_TRUE(
+        has_problem(problems(k_least + "[output]\nmap-formats = png, tif\n"), "output.map-formats", "png, tif"));
 }
 
 // Pressures of snow with the density of debris were seven times too great.
