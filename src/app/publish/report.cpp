@@ -88,8 +88,10 @@ Document charts_of(const ReportInput& input, const ResultDirectory& directory) {
     for (NamedChart& one : result_charts(ResultReader(directory.folder()), source, problems)) {
         one.chart.title.clear();
         one.chart.foot.clear();
+        std::string alt = one.title;
+        if (!one.chart.panels.empty()) alt += "; " + one.chart.panels.front().x_label;
         try {
-            charts.add(Figure{"", one.title, one.title, page_chart_svg(one.chart)});
+            charts.add(Figure{"", one.title, alt, page_chart_svg(one.chart)});
         } catch (const std::exception& error) {  // the values of the page are worth more than a chart
             charts.small(input.words("{1} could not be drawn: {2}", {one.title, std::string(error.what())}));
         }
