@@ -148,7 +148,7 @@ TEST_F(Report, DrawsCurvesThatDifferWithoutColour) {
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
     const std::string page = page_of();
     expect_well_formed(page);
-    const std::size_t at = page.find("aria-label=\"Gauges\"");
+    const std::size_t at = page.find("aria-label=\"Gauges; ");
     ASSERT_NE(at, std::string::npos);
     const std::string chart = page.substr(at, page.find("</svg>", at) - at);
     std::set<std::string> dashes;
