@@ -17,13 +17,13 @@ struct HazardCells {
         GridSpec grid;
         grid.columns = static_cast<std::int64_t>(depths.size());
         grid.rows = 1;
-        depth = velocity = flux = head = pressure = deposit = Raster(grid);
+        depth = velocity = flux = head = pressure = deposit = momentum = Raster(grid);
         depth.values = std::move(depths);
     }
     [[nodiscard]] std::vector<double> classes(const HazardScheme& scheme) const {
-        return hazard_classes(scheme, {depth, velocity, flux, head, pressure, deposit}).values;
+        return hazard_classes(scheme, {depth, velocity, flux, head, pressure, deposit, momentum}).values;
     }
-    Raster depth, velocity, flux, head, pressure, deposit;
+    Raster depth, velocity, flux, head, pressure, deposit, momentum;
 };
 
 HazardScheme scheme_of(std::vector<HazardCondition> conditions) {
@@ -74,13 +74,13 @@ TEST(Hazard, OnlyDepthsNeedTheMinimumDepth) {
 // Every quantity on, below and above every limit, against the conditions as a person would write them in code.
 TEST(Hazard, ConditionsAreEvaluatedAsWritten) {
     struct Cell {
-        double depth, velocity, flux, head, pressure, deposit;
+        double depth, velocity, flux, head, pressure, deposit, momentum;
     };
     const std::vector<double> values{0.4, 0.5, 0.7, 1, 1.5, 2, 2.5};
     std::vector<Cell> cells;
     for (const double a : values)
         for (const double b : values)
-            for (const double c : values) cells.push_back({a, b, c, b, c, a});
+            for (const double c : values) cells.push_back({a, b, c, b, c, a, c});
     HazardCells grid(std::vector<double>(cells.size()));
     for (std::size_t i = 0; i < cells.size(); ++i) {
         grid.depth.values[i] = cells[i].depth;
@@ -89,6 +89,7 @@ TEST(Hazard, ConditionsAreEvaluatedAsWritten) {
         grid.head.values[i] = cells[i].head;
         grid.pressure.values[i] = cells[i].pressure;
         grid.deposit.values[i] = cells[i].deposit;
+        grid.momentum.values[i] = cells[i].momentum;
     }
     const std::vector<std::pair<HazardScheme, std::function<int(const Cell&)>>> cases{
         {scheme_of({{}, {{{Q::depth, 1}, {Q::velocity, 1}}}}),
@@ -100,6 +101,8 @@ TEST(Hazard, ConditionsAreEvaluatedAsWritten) {
          }},
         {scheme_of({{}, {{{Q::head, 1.5, true}}, {{Q::deposit, 0.7, true}}}}),
          [](const Cell& c) { return c.head >= 1.5 || c.deposit >= 0.7 ? 2 : 1; }},
+        {scheme_of({{}, {{{Q::momentum, 1, true}, {Q::depth, 0.5}}}}),
+         [](const Cell& c) { return c.momentum >= 1 && c.depth > 0.5 ? 2 : 1; }},
         {scheme_of({{{{Q::pressure, 1, true}}}, {{{Q::pressure, 2}}, {{Q::pressure, 1.5}, {Q::depth, 1}}}}),
          [](const Cell& c) {
              return c.pressure > 2 || (c.pressure > 1.5 && c.depth > 1) ? 2 : c.pressure >= 1 ? 1 : 0;

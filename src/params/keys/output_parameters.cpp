@@ -138,10 +138,12 @@ void add_extra_output(std::vector<Parameter>& list) {
                                   "m3/s2",
                                   "`frana ensemble`: maxima of depth times speed squared whose probability of being "
                                   "exceeded is mapped."));
-    list.push_back(declare::word_list(
+    Parameter rasters = declare::word_list(
         "output.rasters", FRANA_MEMBER(output.rasters), {},
         {RasterName::max_flux, RasterName::max_head, RasterName::max_momentum_flux},
-        "Rasters beside those that every run writes: depth times speed, energy head, depth times speed squared."));
+        "Rasters beside those that every run writes: depth times speed, energy head, depth times speed squared.");
+    rasters.absent = "none";
+    list.push_back(rasters);
 }
 
 void add_hazard(std::vector<Parameter>& list) {

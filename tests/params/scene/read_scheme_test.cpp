@@ -27,9 +27,9 @@ HazardScheme scheme(const std::string& name) {
 double class_of(const HazardScheme& scheme, const std::vector<double>& q) {
     GridSpec grid;
     grid.columns = grid.rows = 1;
-    std::vector<Raster> all(6, Raster(grid));
+    std::vector<Raster> all(7, Raster(grid));
     for (std::size_t i = 0; i < q.size(); ++i) all[i].values[0] = q[i];
-    return hazard_classes(scheme, {all[0], all[1], all[2], all[3], all[4], all[5]}).values[0];
+    return hazard_classes(scheme, {all[0], all[1], all[2], all[3], all[4], all[5], all[6]}).values[0];
 }
 
 const std::vector<std::string> k_names{
