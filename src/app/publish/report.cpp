@@ -208,7 +208,9 @@ void add_maps(Document& page, const ReportInput& input, const std::vector<Report
 void add_details(Document& page, const ReportInput& input, const ResultDirectory& directory) {
     const Words& words = input.words;
     page.heading("series", words("Course of the flow")).add(charts_of(input, directory));
-    page.heading("values", words("Values in detail")).add(answer_tables(input)).add(place_tables(input));
+    page.heading("values", words("Values in detail"))
+        .add(answer_tables(input))
+        .box(words("High values"), high_values_table(input));
     if (!input.result.released.empty()) page.box(words("Release areas"), release_table(input.result, words));
     if (input.facts.accuracy) page.box(words("Accuracy"), accuracy_tables(*input.facts.accuracy, words));
     if (input.facts.release_ground || input.facts.path_ground)

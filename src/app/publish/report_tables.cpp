@@ -137,9 +137,24 @@ std::string extent_in(const Bounds& box, const Words& words) {
 
 }  // namespace
 
-Document place_tables(const ReportInput& input) {
+Document high_values_table(const ReportInput& input) {
+    const Words& words = input.words;
+    const ReportNumbers number(words);
+    const auto of_area = [&](double percent) { return words("{1} % of the area", {number(percent)}); };
+    Table table({"", words("maximum"), of_area(99.9), of_area(99)});
+    const PeakStatistics& high = input.facts.high;
+    for (std::size_t i = 0; i < high.size(); ++i) {
+        const PeakStatistic& what = k_peak_statistics[i];
+        const auto value = [&](double one) { return std::isnan(one) ? "–" : number(one); };
+        const std::string direction =
+            i == 0 ? std::string(", ") + words(input.result.depth_is_normal ? k_normal : k_vertical) : "";
+        table.row({words(what.title) + direction + " [" + what.row().unit + "]",
+                   number(std::isnan(high[i].greatest) ? 0 : high[i].greatest), value(high[i].p999),
+                   value(high[i].p99)});
+    }
     return Document()
-        .add(flows_table(input.facts.statistics.run_outs, input.words))
+        .add(table)
+        .add(flows_table(input.facts.statistics.run_outs, words))
         .add(gauges_table(input))
         .add(sections_table(input));
 }

@@ -51,14 +51,15 @@ std::string operation_in(const UsedFile& file, const Words& words);
 
 // The tables of report.html after the answer.
 
-/// The separate flows, gauges and cross-sections, if there are any.
-Document place_tables(const ReportInput& input);
+/// High values of depth, speed and pressure; the separate flows, gauges and cross-sections, if there are any.
+Document high_values_table(const ReportInput& input);
 /// Elevations and slopes under the release and along the path.
 Document ground_table(const SummaryFacts& facts, const Words& words);
 /// The levels of numerics.accuracy with their cost, the estimate of each value, what is claimed.
 Document accuracy_tables(const AccuracyRecord& record, const Words& words);
 Document budget_table(const RunResult& result, const Words& words);
 Document numerics_table(const ReportInput& input);
+/// The physics and numerics that were computed.
 /// Each area that failed: name, start, area, volume.
 Document release_table(const RunResult& result, const Words& words);
 /// By which part of a friction table the flow ran where, and where that comes from.
