@@ -18,9 +18,8 @@ const Spec& with_fixed_scale(const Spec& base) {
     const bool fixed = !base.classes.empty() || !base.categories.empty() ||
                        (base.layer != nullptr && !value_range(*base.layer).empty());
     if (!fixed) {
-        throw Error(ErrorKind::input,
-                    Problem{"an animation's colour scale is not fixed", "", "", "",
-                            "give class bounds, or the maximum over time as the base's raster"});
+        throw Error(ErrorKind::input, Problem{"an animation's colour scale is not fixed", "", "", "",
+                                              "give class bounds, or the maximum over time as the base's raster"});
     }
     return base;
 }

@@ -69,7 +69,7 @@ class Table {
 
 /// What a study with [frequency] writes.
 void add_frequency(Table& table) {
-    table.by("ensemble", "by `frana ensemble` with `[frequency]`");
+    table.by("ensemble", "with `[frequency]`");
     const auto by_value = [&](const char* name, const char* title, const char* description, const char* unit,
                               const char* palette, bool progressive) -> ResultRaster& {
         ResultRaster& row = table.flow(name, title, description, unit, palette, progressive);
@@ -262,6 +262,7 @@ void add_choices(Table& table) {
         table.flow(RasterName::max_momentum_flux, "Maximum momentum flux",
                    "Maximum over time of depth times speed squared at one moment", "m3/s2", "velocity", k_progressive);
     momentum.if_it_happens = momentum.of_depth = true;
+    momentum.bounds = {0, 1, 3, 10, 30, 100, 300, 1000, k_infinity};
     ResultRaster& head =
         table.flow(RasterName::max_head, "Maximum energy head", "Maximum over time of depth plus v2/2g at one moment",
                    "m", "velocity", k_progressive);

@@ -165,7 +165,7 @@ TEST_F(StructuredPlaces, WhatIsLegalAndDubiousIsTold) {
                               {{"structured.cohesion=0", "structured.confined-fraction=0.5"},
                                "confined-fraction has no effect without structured.cohesion"},
                               {{"structured.solid-fraction=1", "structured.confined-fraction=0.5"},
-                               "with structured.solid-fraction = 1 there are no pores"}}) {
+                               "confined-fraction has no effect without structured.solid-fraction < 1"}}) {
         Sets set = one.set;
         for (const std::string& sound : k_sound)
             if (std::none_of(one.set.begin(), one.set.end(), [&](const std::string& own) {

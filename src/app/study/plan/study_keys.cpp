@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "app/study/plan/read_study.h"
+#include "app/text/number_text.h"
 #include "core/text.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/declare.h"
@@ -329,6 +330,39 @@ std::string without_folder(const std::string&, const std::string& path) {
 StudySpec seen_from(StudySpec study, const std::string& folder) {
     return with_files(std::move(study),
                       [&](const std::string&, const std::string& path) { return relative_path(path, folder); });
+}
+
+std::optional<Problem> vary_volumes(StudySpec& study) {
+    auto& rate = study.frequency.rate;
+    const auto& volumes = study.frequency.volumes;
+    if (!volumes) return std::nullopt;
+    constexpr double k_rounding = 0.02;  // of a rate with two digits
+    const double first = 1 / volumes->front().years;
+    std::optional<Problem> contradiction;
+    if (rate && std::abs(rate->value / first - 1) > k_rounding)
+        contradiction = Problem{"contradicts frequency.volumes, whose first return period is " +
+                                    shortest_text(volumes->front().years) + " years",
+                                "frequency.rate", shortest_text(rate->value), number_text(first, 3),
+                                "Remove frequency.rate, or correct one of the two"};
+    rate = FrequencySpec::Rate{first, rate ? rate->deviation : 0};
+    Distribution law{
+        Law::return_periods, {}, {}, {}, *find_parameter(study_keys(study.kind), "frequency.volumes")->write(study)};
+    for (const FrequencySpec::Volume& one : *volumes) {
+        law.numbers.push_back(one.volume);
+        law.numbers.push_back(one.years / volumes->front().years);
+    }
+    study.vary.insert(study.vary.begin(), Variation{k_volume_key, std::move(law)});
+    return contradiction;
+}
+
+std::optional<Problem> thin_volumes(const FrequencySpec& frequency, double area, const Place& where) {
+    constexpr double k_least_thickness = 0.02;  // [m]
+    const auto& volumes = frequency.volumes;
+    if (!volumes || !(area > 0) || volumes->back().volume / area >= k_least_thickness) return std::nullopt;
+    return Problem{"has a greatest volume that is " + number_text(volumes->back().volume / area, 2) +
+                       " m thick on the release of " + number_text(area, 4) + " m2",
+                   where, shortest_text(volumes->back().volume) + " m3",
+                   "at least " + shortest_text(k_least_thickness) + " m", "Write volumes in m3, not in thousands"};
 }
 
 std::string frequency_text(const StudySpec& study) {
