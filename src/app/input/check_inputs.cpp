@@ -182,8 +182,7 @@ void question_volume(const SourceSpec& given, const ReleaseInput& release, RunLo
     if (given.kind == SourceSpec::Kind::number) stated = given.number;
     const double ratio = stated / outlined, decades = std::log10(ratio);
     if (!(std::max(ratio, 1 / ratio) > k_least) || std::abs(decades - std::round(decades)) > k_about) return;
-    log.warn(worded("release.volume is {1} times outline x thickness: is its unit m3?",
-                    {numeral(number_text(std::pow(10, std::round(decades)), 3))}));
+    log.warn(worded(k_volume_warning, {numeral(number_text(std::pow(10, std::round(decades)), 3))}));
 }
 
 /// Refuses a thickness greater than that of any landslide: a raster of elevations, nodata that no file declares, a

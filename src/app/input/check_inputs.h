@@ -9,12 +9,17 @@
 #include "app/text/run_log.h"
 #include "core/error.h"
 #include "core/raster.h"
+#include "core/words/words.h"
 #include "gis/vector/features_in.h"
 #include "params/keys/scene_spec.h"
 #include "simulation/result.h"
 #include "simulation/scene.h"
 
 namespace frana::app {
+
+/// Told of a volume that differs from outline times thickness by a power of ten.
+inline constexpr const char* k_volume_warning =
+    worded("release.volume is {1} times outline x thickness: is its unit m3?");
 
 /// Checks that the release is on ground with data and has a valid thickness. Adds to `problems`: outlines outside the
 /// DTM (both extents named), nodata under the release (cells named), negative or missing thickness (cells named).

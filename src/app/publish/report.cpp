@@ -174,8 +174,13 @@ Document exposure_section(const std::optional<ExposureTotals>& totals, const Wor
             const double value = column.factor * value_of(feature, column.key).value_or(k_no_data);
             cells.push_back(std::isnan(value) ? "" : words.number(number_text(value, column.digits)));
         }
+        const auto number = [&](const std::string& name) {
+            return words.number(number_text(value_of(feature, name).value_or(0), 2));
+        };
         for (const auto& [title, name] : totals->more_columns)
-            cells.push_back(words.number(number_text(value_of(feature, name).value_or(0), 3)));
+            cells.push_back(number(name) + (value_of(feature, name + "_low")
+                                                ? " (" + number(name + "_low") + " – " + number(name + "_high") + ")"
+                                                : ""));
         table.row(cells);
     }
     const std::string all =

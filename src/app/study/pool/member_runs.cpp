@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "app/input/check_inputs.h"
 #include "app/process/terminal.h"
 #include "app/study/plan/region_input.h"
 #include "app/study/plan/study_input.h"
@@ -37,6 +38,10 @@ Prepared prepared_member(const StudyInput& input, const MemberTask& task, RunLog
     Prepared prepared = prepare(reading, log);
     if (const auto filled = filled_warning(input.base.ground); filled && input.reading.study.region)
         prepared.scene.warnings.push_back(*filled);  // known of the whole alone
+    // Volumes of a frequency differ from that of the scene by intent; thin_volumes() judges their unit.
+    if ((input.slopes.empty() ? input.spec().frequency : input.slope_of(task.member).frequency).volumes)
+        std::erase_if(prepared.scene.warnings,
+                      [](const Warning& warning) { return warning.words.pattern() == k_volume_warning; });
     prepared.scene.time.frame_interval = 0;
     return prepared;
 }

@@ -216,7 +216,8 @@ std::vector<std::pair<std::string, std::string>> shown_columns(const StudyInput&
         all.emplace_back(words("Degree of hazard"), RasterName::hazard_degree);
     if (!result.rates) return all;
     for (const MappedEvents& events : mapped_events(input.base.spec))
-        for (const std::string& raster : events.rasters) {
+        for (const std::string& raster :
+             events.quantity == Quantity::depth ? events.rasters : std::vector<std::string>{}) {
             const std::string name = rate_name(raster);
             const ResultRaster& row = *find_result_raster(name);
             all.emplace_back(with_unit(raster_title(row, name, words), row.unit), name);
