@@ -355,24 +355,24 @@ Flow::Snapshot Flow::snapshot() {
         shot.speed.values[c] = speed_along_bed(node, {u, v});
     });
     if (!ended_) return shot;
-    hold_volume(shot.depth);
     const auto cell = [&](std::size_t node) {
         const auto n = static_cast<std::int64_t>(node), stride = state_.nodes.stride();
         return shot.depth.index(grid_.rows - 1 - (n / stride - k_ghost), n % stride - k_ghost);
     };
+    std::vector<std::pair<std::size_t, double>> moved;
     for (const auto& [top, below] : tops_not_reached(state_.nodes, maxima_)) {
-        double &from = shot.depth.values[cell(top)], &to = shot.depth.values[cell(below)];
-        if (!(from > 0)) continue;
-        to = (to > 0 ? to : 0) + from;
-        from = shot.speed.values[cell(top)] = k_no_data;
+        if (!(shot.depth.values[cell(top)] > 0)) continue;
+        shot.depth.values[cell(top)] = shot.speed.values[cell(top)] = k_no_data;
+        moved.emplace_back(cell(below), state_.nodes.forces()[top].mass);
     }
+    hold_volume(shot.depth, moved);
     return shot;
 }
 
 // The particles' own depths and their crowding tell the level of a lake exactly, but the volume of a channel a few
 // cells wide, of a pit or of what stands behind a dam only to a tenth. A patch of cells that touch gets the volume that
-// they have, if the two differ by more than a hundredth.
-void Flow::hold_volume(Raster& depth) const {
+// they have, and what lies at the walls beside it, if the two differ by more than a hundredth.
+void Flow::hold_volume(Raster& depth, const std::vector<std::pair<std::size_t, double>>& beside) const {
     constexpr double k_same = 0.01;
     const SeparateFlows patches(reached_raster(grid_, 0), depth, {});
     std::vector<double> shown(patches.count()), held(patches.count());
@@ -387,6 +387,8 @@ void Flow::hold_volume(Raster& depth) const {
         shown[patch] += here * grid_.cell_area();
         held[patch] += volume;
     });
+    for (const auto& [cell, volume] : beside)
+        if (depth.values[cell] > 0) held[patches.flow_of(cell)] += volume;
     visit([&](std::size_t patch, double& here, double) {
         if (std::abs(held[patch] - shown[patch]) > k_same * held[patch]) here *= held[patch] / shown[patch];
     });

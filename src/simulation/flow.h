@@ -137,7 +137,7 @@ class Flow final : public Model {
     }
 
   private:
-    void hold_volume(Raster& depth) const;
+    void hold_volume(Raster& depth, const std::vector<std::pair<std::size_t, double>>& beside) const;
     void gather();
     // Calls visit(row, column, node) for the cells that particles can touch, tile by tile.
     template <class Visit>

@@ -24,9 +24,8 @@ namespace {
 
 constexpr double k_shown_fraction = 0.05;  // relative difference of a raster's volume from the flow's without a warning
 constexpr double k_jumping = 0.05;         // of all volume, over all jumps
-// Of all volume, that may meet walls of the ground and pass them without a warning; of what does, what passes by
-// particles and not by finite volumes, or the other way, over dams of 5 to 13 m (share/doc/numerics.md).
-constexpr double k_walled = 0.05, k_over_walls = 0.01, k_wall_error = 0.15;
+// Of all volume, that may meet walls of the ground and pass them without a warning.
+constexpr double k_walled = 0.05, k_over_walls = 0.01;
 constexpr double k_pile = 0.05;          // of the deepest deposit, that a pile may stand too high without a warning
 constexpr double k_thin_fraction = 0.1;  // of the volume that may be thinner than visible without a warning
 constexpr double k_high_step = 30;       // of the surface of a release between two cells, without a warning [m]
@@ -395,9 +394,7 @@ void warn_of_jumps(const RunResult::Jumps& jumps, RunResult& result) {
 void warn_of_walls(const WallContact& walls, const char* other, RunResult& result) {
     if (walls.met < k_walled * result.volume_entered || walls.passed < k_over_walls * result.volume_entered) return;
     result.warnings.push_back(
-        worded("{1} of {2} m3 passed walls, ± {3} m3: compare with {4}",
-               {numeral(grouped(walls.passed)), numeral(grouped(walls.met + walls.passed)),
-                numeral(grouped(k_wall_error * std::min(walls.met + walls.passed, result.volume_entered))), other}));
+        worded("particles at walls, ≤ {1} m3 passed: compare with {2}", {numeral(grouped(walls.passed)), other}));
 }
 
 namespace {

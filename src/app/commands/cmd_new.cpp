@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -308,9 +309,16 @@ int cmd_new(const Arguments& arguments) {
                         Problem{"exists already", option, file, "", "Choose another name, or add --overwrite"});
     };
     refuse_existing("--out", scene.string());
-    for (const Beginning& row : k_beginnings)
-        if (const auto file = text_option(*values, row.option))
-            refuse_existing((std::string("--") + row.option).c_str(), *file);
+    std::set<fs::path> all{scene};
+    for (const Beginning& row : k_beginnings) {
+        const auto file = text_option(*values, row.option);
+        if (!file) continue;
+        const std::string option = std::string("--") + row.option;
+        refuse_existing(option.c_str(), *file);
+        if (!all.insert(fs::absolute(*file).lexically_normal()).second)
+            throw Error(ErrorKind::input,
+                        Problem{"is the same file as another", option, *file, "", "Choose another name"});
+    }
     const auto thickness = text_option(*values, "thickness");
     const fs::path folder = scene.parent_path();
     SceneDraft draft = draft_of(files[0], files[1]);

@@ -339,6 +339,16 @@ TEST_F(RegionFrequency, WhatAFrequencyNeedsIsAsked) {
     const Outcome outcome = frana({"check", "region.ini"});
     EXPECT_EQ(outcome.exit_code, 0) << "the other slope runs";
     EXPECT_NE(outcome.out.find("is not a number of events a year"), std::string::npos) << outcome.out;
+    // One slope without volumes fails alone, whether something else varies or not.
+    for (const std::string& more : {std::string(), vary}) {
+        write_sources({{"a", "", "abc"}, {"b", "", "2000: 20, 4000: 100"}},
+                      "samples = 16\n" + more + "[set]\ntime.end = 1\n[columns]\nfrequency.volumes = VOLUMES\n");
+        const Outcome check = frana({"check", "region.ini"});
+        EXPECT_EQ(check.exit_code, 0) << check.err;
+        EXPECT_NE(check.out.find("is not of the form 8000: 20"), std::string::npos) << check.out;
+        EXPECT_EQ(batch({"--overwrite"}).exit_code, 3) << "half of the runs failed";
+        EXPECT_EQ(members().size(), 32U);
+    }
 }
 
 // Rasters of single events with how often each happens, as other programs take them, make the same rates.

@@ -174,27 +174,39 @@ void draw_members(StudyInput& region) {
     table.draws = static_cast<std::size_t>(study.samples);
     table.is_replicated = true;
     constexpr std::int64_t k_seed_step = 1'000'003;
-    for (std::size_t i = 0; i < slopes.size(); ++i) {
+    const auto draw = [&](std::size_t slope, Problems& problems) {
         StudySpec own = study;
-        own.frequency = region.slopes[i].frequency;
-        own.seed = (study.seed + static_cast<std::int64_t>(i) * k_seed_step) % k_last_seed;
+        own.frequency = region.slopes[slope].frequency;
+        own.seed = (study.seed + static_cast<std::int64_t>(slope) * k_seed_step) % k_last_seed;
         vary_volumes(own);
-        Problems of_later;  // those of the first are everybody's
-        const SampleTable drawn =
-            samples_at(own, draw_places(own, true), region.reading.label, i == 0 ? region.reading.problems : of_later);
-        if (drawn.size() == 0) return;
-        if (i == 0) {
-            table.keys.insert(table.keys.end(), drawn.keys.begin(), drawn.keys.end());
-            table.nominal.insert(table.nominal.end(), drawn.nominal.begin(), drawn.nominal.end());
-        }
+        return samples_at(own, draw_places(own, true), region.reading.label, problems);
+    };
+    const auto is_sound = [&](const Slope& slope) { return slope.problem.empty(); };
+    const auto sound = std::find_if(region.slopes.begin(), region.slopes.end(), is_sound);
+    if (sound == region.slopes.end()) {
+        if (slopes.size() > 0)
+            region.reading.problems.add({"no slope has what a frequency needs: " + region.slopes.front().problem,
+                                         region.reading.where("frequency"), "", "", "Correct the columns"});
+        return;
+    }
+    // What is wrong with the draws of the first is everybody's; a slope that fails has as many members, without values.
+    const SampleTable first = draw(static_cast<std::size_t>(sound - region.slopes.begin()), region.reading.problems);
+    if (first.size() == 0) return;
+    table.keys.insert(table.keys.end(), first.keys.begin(), first.keys.end());
+    table.nominal.insert(table.nominal.end(), first.nominal.begin(), first.nominal.end());
+    SampleTable none = first;
+    for (auto& row : none.values) row.assign(row.size(), "");
+    for (std::size_t i = 0; i < slopes.size(); ++i) {
+        Problems of_later;
+        const SampleTable drawn = is_sound(region.slopes[i]) ? draw(i, of_later) : none;
         const auto joined_rows = [](auto row, const auto& more) {
             row.insert(row.end(), more.begin(), more.end());
             return row;
         };
-        for (std::size_t draw = 0; draw < drawn.size(); ++draw) {
-            table.values.push_back(joined_rows(slopes.values[i], drawn.values[draw]));
-            table.numbers.push_back(joined_rows(slopes.numbers[i], drawn.numbers[draw]));
-            table.weights.push_back(drawn.weights[draw]);
+        for (std::size_t j = 0; j < drawn.size(); ++j) {
+            table.values.push_back(joined_rows(slopes.values[i], drawn.values[j]));
+            table.numbers.push_back(joined_rows(slopes.numbers[i], drawn.numbers[j]));
+            table.weights.push_back(drawn.weights[j]);
         }
     }
 }

@@ -84,9 +84,11 @@ std::vector<std::vector<std::size_t>> cells_of(const std::vector<CurvePlace>& pl
 
 HazardPoint hazard_point(const AnnualRates& rates, Values values, double threshold) {
     const AnnualRate rate = rates.exceeded(hits_of(values), threshold);
-    if (!(rate.value > 0)) return {threshold, 0, 0, rate.margin};
+    const FrequencySpec::Rate all = rates.of_all();
+    const double most = fractiles(all.value, all.deviation).second;  // no event is not among all
+    if (!(rate.value > 0)) return {threshold, 0, 0, std::min(rate.margin, most)};
     const auto [low, high] = fractiles(rate.value, rate.margin / k_normal);
-    return {threshold, rate.value, low, high};
+    return {threshold, rate.value, low, std::min(high, most)};
 }
 
 double hazard_bound(const AnnualRates& rates, Values runs, double threshold) {

@@ -266,14 +266,15 @@ std::string why_open(const MemberEnd& end, const Words& words) {
 }
 
 /// The same of a region with a frequency: how often each slope fails, and how many of its runs finished.
-Document sources_section(const StudyInput& input, const AnnualRates& rates, const Words& words) {
+Document sources_section(const StudyInput& input, const StudyResult& result, const Words& words) {
+    const AnnualRates& rates = *result.rates;
     const ReportNumbers number(words);
     Table table({"", words("Slope"), with_unit(words("Annual rate"), "1/a"), words("Runs"), words("reason")});
     for (std::size_t i = 0; i < std::min(k_most_slopes, rates.sources().size()); ++i) {
         const Source& source = rates.sources()[i];
         table.row({std::to_string(i), valid_utf8(source.name), rate_text(source.rate, number),
                    std::to_string(source.members.size()) + " / " + std::to_string(source.shares.size()),
-                   words(input.slopes[i].problem)});
+                   words(result.members[input.first_member(i)].failure)});
     }
     return Document().heading("slopes", words("Slopes")).add(table);
 }
@@ -282,7 +283,7 @@ Document sources_section(const StudyInput& input, const AnnualRates& rates, cons
 /// speed, or why a slope failed; the first k_most_slopes of them. Empty for other studies.
 Document slopes_section(const StudyInput& input, const StudyResult& result, const Words& words) {
     if (!input.reading.study.region) return {};
-    if (result.rates) return sources_section(input, *result.rates, words);
+    if (result.rates) return sources_section(input, result, words);
     const bool has_scenarios = input.reading.study.region->scenario.has_value(), has_failures = result.failed() > 0;
     const bool has_open = std::any_of(result.members.begin(), result.members.end(), [](const MemberRecord& member) {
         return member.failure.empty() && member.end.is_open();
