@@ -9,7 +9,7 @@ cd "$(dirname "$0")"
 packages=(
   g++ cmake ninja-build pkg-config ca-certificates gettext
   libgdal-dev libproj-dev proj-data libeigen3-dev
-  libosmesa6-dev libvtk9-dev libcairo2-dev libpango1.0-dev libpng-dev fonts-dejavu-core
+  libosmesa6-dev libvtk9-dev libcairo2-dev libpango1.0-dev libpng-dev fonts-dejavu-core libjs-leaflet
   libavformat-dev libavcodec-dev libswscale-dev libavutil-dev
   libboost-program-options-dev nlohmann-json3-dev zlib1g-dev libxxhash-dev libgtest-dev
   libopenturns-dev

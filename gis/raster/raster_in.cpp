@@ -244,9 +244,9 @@ RasterRead read_raster_on(const std::string& path, const GridSpec& target, const
     return read;
 }
 
-Raster read_result_raster(const std::string& path) {
+Raster read_result_raster(const std::string& path, int band) {
     const GdalSession session;
-    const RasterSource source(path, path, true);
+    const RasterSource source(path, path, true, band);
     const RasterInfo& info = source.info();
     const auto refuse = [&](const std::string& what, const std::string& value) {
         return Error(ErrorKind::input, Problem{what, path, value, "north-up rasters with square cells, in metres",

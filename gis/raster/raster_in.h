@@ -94,8 +94,9 @@ class RasterOnDemand {
     std::unique_ptr<Parts> parts_;
 };
 
-/// Reads a whole raster on its own grid, as frana writes them: north up, square cells. Throws Error(input) otherwise.
-Raster read_result_raster(const std::string& path);
+/// Reads a band of a whole raster on its own grid, as frana writes them: north up, square cells. Throws Error(input)
+/// otherwise.
+Raster read_result_raster(const std::string& path, int band = 1);
 
 /// Fills cells without data by interpolation from cells at most this many cells away. Returns the number of cells
 /// filled.

@@ -63,6 +63,7 @@ RasterText read_raster_text(const std::string& path) {
     RasterText text;
     text.description = GDALGetDescription(band);
     text.unit = GDALGetRasterUnitType(band);
+    text.bands = GDALGetRasterCount(dataset.get());
     char** items = GDALGetMetadata(dataset.get(), nullptr);
     for (int i = 0; i < CSLCount(items); ++i) {
         const std::string pair = items[i];

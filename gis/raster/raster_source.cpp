@@ -190,17 +190,17 @@ void refuse_huge_blocks(GDALDatasetH dataset, GDALRasterBandH band, const Place&
 
 }  // namespace
 
-RasterSource::RasterSource(const std::string& path, const Place& where, bool accept_colour_table)
+RasterSource::RasterSource(const std::string& path, const Place& where, bool accept_colour_table, int band)
     : where_(where), dataset_(open(path, where)) {
     const GdalSession session;
     const ReadingOnly reading;
     GDALDatasetH dataset = dataset_.get();
-    if (GDALGetRasterCount(dataset) < 1) {
+    if (GDALGetRasterCount(dataset) < band) {
         const std::string parts = subdatasets(dataset);
         refuse(parts.empty() ? "the raster has no band" : "the file contains several rasters", where, path,
                parts.empty() ? "Give a raster of elevations" : "Name one of them: " + parts);
     }
-    band_ = GDALGetRasterBand(dataset, 1);
+    band_ = GDALGetRasterBand(dataset, band);
     const GDALDataType type = GDALGetRasterDataType(band_);
     const GDALColorInterp colour = GDALGetRasterColorInterpretation(band_);
     const bool picture = colour == GCI_RedBand || (colour == GCI_PaletteIndex && !accept_colour_table);

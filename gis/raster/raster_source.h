@@ -64,12 +64,12 @@ struct Window {
     [[nodiscard]] bool empty() const noexcept { return columns <= 0 || rows <= 0; }
 };
 
-/// Band 1 of a raster file, open for reading.
+/// A band of a raster file, open for reading.
 class RasterSource {
   public:
     /// Throws Error(input) as inspect_raster. A class raster has a colour table, as pictures do: a colour table is
     /// accepted only if classes are expected.
-    RasterSource(const std::string& path, const Place& where, bool accept_colour_table = false);
+    RasterSource(const std::string& path, const Place& where, bool accept_colour_table = false, int band = 1);
 
     [[nodiscard]] const RasterInfo& info() const noexcept { return info_; }
     [[nodiscard]] const GeoTransform& geo_transform() const noexcept { return geo_; }

@@ -46,7 +46,7 @@ debian_package(program "run-out of landslides: from GIS files to hazard maps"
 and material in, GeoTIFFs, maps and animations out. Depth-averaged material
 point method for landslides, debris flows, rock avalanches and dense snow
 avalanches." NAME frana CODE
-  DEPENDS fonts-dejavu-core RECOMMENDS "frana-pictures, frana-studies"
+  DEPENDS "fonts-dejavu-core, libjs-leaflet" RECOMMENDS "frana-pictures, frana-studies"
   SUGGESTS "frana-samples, frana-doc, frana-mpi, qgis")
 debian_package(pictures "run-out of landslides: maps, views and animations"
   "The parts of frana that draw maps and views and write animations. Without them

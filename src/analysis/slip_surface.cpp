@@ -178,7 +178,7 @@ SlipSurface::SlipSurface(const Raster& ground, const MultiPolygon& perimeter, st
     if (shape == SlipShape::ellipsoid && !visible) {
         throw Error(ErrorKind::input,
                     Problem{"no ellipsoid can be fitted to a perimeter that is not entirely visible from its centroid",
-                            "release.slip-shape", "ellipsoid", "", "Choose auto or base-level"});
+                            "release.perimeter", "", "", "Choose the base level"});
     }
     shape_ = shape.value_or(visible ? SlipShape::ellipsoid : SlipShape::base_level);
     const Inside inside = cells_inside(ground.grid, perimeter);

@@ -217,8 +217,6 @@ void write_file(const std::string& path, std::string_view bytes, Sync sync) {
     file.rename_into_place();
 }
 
-namespace fs = std::filesystem;
-
 std::vector<fs::directory_entry> folder_entries(const fs::path& folder) {
     constexpr int k_most_tries = 20;  // repeats after interruptions by signals
     std::vector<fs::directory_entry> entries;

@@ -2,13 +2,9 @@
 #include "core/module.h"
 
 #include <dlfcn.h>
-#include <elf.h>
 
-#include <algorithm>
-#include <cstdint>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <vector>
 
 #include "core/error.h"
@@ -37,46 +33,22 @@ std::vector<fs::path> places_of(const std::string& name) {
                 "with ./build.sh build"});
 }
 
-/// Whether a file ends before what its ELF header promises: the system would end the program when it reads there.
-bool is_cut_short(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    Elf64_Ehdr head{};
-    const auto read = [&](auto& to, std::uint64_t at) {
-        in.seekg(static_cast<std::streamoff>(at));
-        return static_cast<bool>(in.read(reinterpret_cast<char*>(&to), sizeof to));
-    };
-    const bool whole = read(head, 0);
-    if (std::memcmp(head.e_ident, ELFMAG, SELFMAG) != 0) return false;  // the loader says what it is
-    if (!whole) return true;
-    std::uint64_t end = head.e_shoff + std::uint64_t{head.e_shnum} * head.e_shentsize;
-    for (std::uint64_t i = 0; i < head.e_phnum; ++i) {
-        Elf64_Phdr part{};
-        if (!read(part, head.e_phoff + i * head.e_phentsize)) return true;
-        if (part.p_type == PT_LOAD) end = std::max(end, part.p_offset + part.p_filesz);
-    }
-    std::error_code error;
-    return fs::file_size(file, error) < end || error;
-}
-
-fs::path whole_file_of(const std::string& name) {
+fs::path file_of(const std::string& name) {
     const std::vector<fs::path> places = places_of(name);
     std::error_code error;
-    for (const fs::path& file : places) {
-        if (!fs::exists(file, error)) continue;
-        if (is_cut_short(file)) fail("a part of frana is cut short", file, "");
-        return file;
-    }
+    for (const fs::path& file : places)
+        if (fs::exists(file, error)) return file;
     fail("a part of frana is missing", places.front(), "");
 }
 
 }  // namespace
 
 void require_module(const std::string& name) {
-    static_cast<void>(whole_file_of(name));
+    static_cast<void>(file_of(name));
 }
 
 const void* module_table(const std::string& name, ModuleScope scope, const char* type, std::size_t size) {
-    const fs::path file = whole_file_of(name);
+    const fs::path file = file_of(name);
     // Never unloaded: its library may have started threads.
     void* const library = ::dlopen(file.c_str(), RTLD_NOW | (scope == ModuleScope::own ? RTLD_LOCAL : RTLD_GLOBAL));
     if (library == nullptr) fail("a part of frana cannot be loaded", file, ::dlerror());

@@ -26,7 +26,7 @@ enum class ModuleScope { own, process };
 template <class Table>
 const Table& module_table(const std::string& name, ModuleScope scope = ModuleScope::own);
 
-/// Throws as module_table does if the module's file is missing or cut short, without loading it.
+/// Throws as module_table does if the module's file is missing, without loading it.
 void require_module(const std::string& name);
 
 /// What a module's only exported function returns.

@@ -90,15 +90,6 @@ std::vector<Problem> structured_problems(const StructuredMaterial& material, dou
                                          const std::function<std::string(const std::string&)>& where) {
     std::vector<Problem> problems;
     if (!material.solids) return problems;
-    // Softer material strains more until it yields, and damage counts strain.
-    const double most = std::max(1.0, greatest_modulus_reduction(material));
-    if (material.modulus_reduction > 1 && material.modulus_reduction > most) {
-        problems.push_back(
-            {"softens the material so much that it would break by that", where("structured.modulus-reduction"),
-             text(material.modulus_reduction, 4), most > 1 ? "at most " + text(most, 3) : "1, none: it is soft already",
-             "Lower it: at its strength the material would have an elastic strain of over a twentieth of "
-             "structured.critical-strain"});
-    }
     if (const double length = material.damage_length.value_or(cell_size);
         length < k_least_length * cell_size || length > k_greatest_length * cell_size) {
         problems.push_back({"does not fit the cells", where("structured.damage-length"), text(length, 4) + " m",

@@ -213,15 +213,14 @@ Json runout_json(const Runout& one) {
     return json;
 }
 
-void add_ground(Json& json, const char* where, const std::optional<GroundStatistics>& ground) {
-    if (!ground) return;
-    json["ground"][where] = {{"lowest_m", ground->lowest},
-                             {"highest_m", ground->highest},
-                             {"mean_slope_deg", ground->mean_slope_deg},
-                             {"steepest_slope_deg", ground->steepest_slope_deg}};
-}
-
 }  // namespace
+
+Json ground_json(const GroundStatistics& ground) {
+    return {{"lowest_m", ground.lowest},
+            {"highest_m", ground.highest},
+            {"mean_slope_deg", ground.mean_slope_deg},
+            {"steepest_slope_deg", ground.steepest_slope_deg}};
+}
 
 TraceFigures trace_figures(const RunResult& result, const Raster& terrain, double threshold) {
     const Raster trace = trace_mask(result.raster(RasterName::max_depth), threshold);
@@ -361,8 +360,8 @@ void add_flow(Json& json, const RunResult& result, const SceneSpec& spec) {
 }
 
 void add_trace(Json& json, const TraceFigures& trace) {
-    add_ground(json, "release", trace.release_ground);
-    add_ground(json, "path", trace.path_ground);
+    if (trace.release_ground) json["ground"]["release"] = ground_json(*trace.release_ground);
+    if (trace.path_ground) json["ground"]["path"] = ground_json(*trace.path_ground);
     add_peak_statistics(json, trace.high);
     json["covered_area_m2"] = trace.covered_area_m2;
     json["trace_threshold_m"] = trace.threshold;

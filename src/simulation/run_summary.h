@@ -176,6 +176,9 @@ inline bool left_ground(const RunResult& result) noexcept {
 /// to ground without elevation, or the run failed.
 bool is_open(const RunResult& result, const Scene& scene);
 
+/// As `frana check` says it, too.
+Json ground_json(const GroundStatistics& ground);
+
 // Each adds some keys, in the order of summary.json.
 void add_end(Json& json, const RunResult& result, const SceneSpec& spec);
 void add_particles(Json& json, const RunResult& result);

@@ -229,8 +229,8 @@ struct Extremes {
             bed_over_own = std::max(bed_over_own, degrees(solid.bed_friction) - degrees(solid.friction));
             least_solid_fraction = std::min(least_solid_fraction, solid.solid_fraction);
             if (solid.cohesion > 0 && solid.friction >= 0)
-                strain = std::max(strain, structured::DruckerPrager::of(solid.friction, solid.cohesion).uniaxial() *
-                                              m.modulus_reduction / m.young_modulus);
+                strain = std::max(
+                    strain, structured::DruckerPrager::of(solid.friction, solid.cohesion).uniaxial() / m.young_modulus);
         });
     }
 };

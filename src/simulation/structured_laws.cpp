@@ -43,8 +43,7 @@ double coupled_density(const StructuredMaterial& m, const structured::SolidMater
 }
 
 structured::Elasticity elasticity(const StructuredMaterial& m) {
-    return structured::Elasticity::from_young_and_bulk(m.young_modulus / m.modulus_reduction,
-                                                       m.bulk_modulus / m.modulus_reduction);
+    return structured::Elasticity::from_young_and_bulk(m.young_modulus, m.bulk_modulus);
 }
 
 template <class Visit>
@@ -119,17 +118,6 @@ double recoil_speed(const StructuredMaterial& m) {
         const double strength = 2 * solid.cohesion * (std::hypot(1, solid.friction) - solid.friction);
         const double density = coupled_density(m, solid);
         greatest = std::max(greatest, 2 * strength / (density * waves.wave_speed(density)));
-    });
-    return greatest;
-}
-
-double greatest_modulus_reduction(const StructuredMaterial& m) {
-    constexpr double k_of_critical = 1.0 / 20;
-    double greatest = std::numeric_limits<double>::infinity();
-    for_each_material(m, [&](const structured::SolidMaterial& solid) {
-        if (!(solid.cohesion > 0 && solid.friction >= 0)) return;
-        const double strength = structured::DruckerPrager::of(solid.friction, solid.cohesion).uniaxial();
-        greatest = std::min(greatest, k_of_critical * m.critical_strain * m.young_modulus / strength);
     });
     return greatest;
 }

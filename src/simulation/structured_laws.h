@@ -36,9 +36,5 @@ void visit_materials(const StructuredMaterial& material, const std::function<voi
 /// and Coulomb's uniaxial tensile strength T = 2 c cos phi / (1 + sin phi) and c the elastic waves' speed [m/s]. Our
 /// estimate.
 double recoil_speed(const StructuredMaterial& material);
-/// Returns the greatest reduction of the moduli that hardly changes how material breaks: its elastic strain at the
-/// uniaxial strength q, r q / E, is a twentieth of the critical strain where it is greatest; infinity without cohesion
-/// (ours; sample_data/fracture/README.md has the errors).
-double greatest_modulus_reduction(const StructuredMaterial& material);
 
 }  // namespace frana

@@ -22,7 +22,8 @@ TEST(StructuredLaws, EveryChoiceArrives) {
     EXPECT_EQ(laws().solid.damage_length, 1.5 * cell);
     EXPECT_GT(laws().solid.side, usual.solid.side);  // it follows the damage length
     m.damage_length.reset();
-    m.modulus_reduction = 4;
+    m.young_modulus /= 4;
+    m.bulk_modulus /= 4;
     const structured::Laws chosen = laws();
     EXPECT_DOUBLE_EQ(chosen.solid.elastic.shear, usual.solid.elastic.shear / 4);
 }

@@ -57,14 +57,6 @@ Json bounds_json(const Bounds& box) {
     return Json::array({box.west, box.south, box.east, box.north});
 }
 
-Json ground_json(const std::optional<GroundStatistics>& ground) {
-    if (!ground) return {};
-    return {{"lowest_m", ground->lowest},
-            {"highest_m", ground->highest},
-            {"mean_slope_deg", ground->mean_slope_deg},
-            {"steepest_slope_deg", ground->steepest_slope_deg}};
-}
-
 Json input_json(const UsedFile& file) {
     Json json{{"role", file.role}, {"file", file.path}, {"layer", file.layer.empty() ? Json() : Json(file.layer)}};
     const bool placed = !file.crs_label.empty();  // a table of numbers has no position
@@ -97,7 +89,7 @@ Json check_document(const CheckedScene& checked) {
                        {"area_m2", released_area(prepared.scene)},
                        {"inflow_m3", expected.inflow},
                        {"dtm_contains_release", prepared.scene.terrain_contains_release},
-                       {"ground", ground_json(prepared.release.ground)}};
+                       {"ground", prepared.release.ground ? ground_json(*prepared.release.ground) : Json()}};
     add_defaults(prepared, json);
     if (prepared.friction) json["friction_table"] = friction_json(*prepared.friction, {});
     const auto& trial = checked.trial;
@@ -109,15 +101,14 @@ Json check_document(const CheckedScene& checked) {
                    {"threads", checked.threads},
                    {"estimated_seconds", engine_seconds(expected, trial)},
                    {"estimate_is_lower_bound", !trial.has_value()},
-                   {"path", trial ? ground_json(trial->path) : Json()},
+                   {"path", trial && trial->path ? ground_json(*trial->path) : Json()},
                    {"terms", expected.terms}};
     for (const SchemeTime& one : checked.schemes)
         json["run"]["schemes"].push_back({{"scheme", one.scheme},
                                           {"engine_seconds", one.refusal.empty() ? Json(one.engine_seconds) : Json()},
                                           {"estimate_is_lower_bound", one.is_lower_bound},
                                           {"refused", one.refusal.empty() ? Json() : Json(one.refusal)}});
-    const std::string place = result_path(checked.result);
-    json["result"] = {{"folder", place}, {"exists", has_files(place)}};
+    json["result"] = result_json(checked.result);
     return json;
 }
 
@@ -300,9 +291,7 @@ void print_run(const Prepared& prepared, const RunEstimate& expected, const std:
     print_schemes(schemes);
     print_levels(prepared, trial);
     for (std::size_t i = 0; i < expected.terms.size(); ++i) print_fact(i == 0 ? "terms" : "", expected.terms[i]);
-    const std::string place = result_path(directory);
-    print_fact("result",
-               place + (has_files(place) ? ", which contains a result already: --overwrite replaces it" : ""));
+    print_result(directory);
 }
 
 }  // namespace

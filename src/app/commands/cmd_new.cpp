@@ -249,12 +249,9 @@ namespace {
 
 /// Throws Error(input) for a word that is no preset.
 std::string preset_of(const std::string& word) {
-    std::string names;
-    for (const MaterialPreset& preset : material_presets(materials_directory())) {
+    for (const MaterialPreset& preset : material_presets(materials_directory()))
         if (preset.name == word) return word;
-        names += (names.empty() ? "" : ", ") + preset.name;
-    }
-    throw Error(ErrorKind::input, Problem{"is not a material preset", "--preset", word, names, ""});
+    throw Error(ErrorKind::input, Problem{"is not a material preset", "--preset", word, presets(), ""});
 }
 
 /// What is still to be given in a draft; empty: nothing.

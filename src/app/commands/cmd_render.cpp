@@ -113,35 +113,17 @@ void read_style(const boost::program_options::variables_map& values, MapStyle& s
     read_scale(values, style, problems);
 }
 
-/// The other sheets of paper, from small to large.
-std::string sheets_that_fit(const MapSource& source, const MapLayer& layer, double scale) {
-    std::string fitting;
-    for (const std::string& sheet : directed_papers()) {
-        MapSource other = source;
-        const auto size = size_from_text(sheet + "@" + number_text(source.style.size.dots_per_inch));
-        if (!size || sheet == source.style.size.paper) continue;
-        other.style.size = *size;
-        if (render::fitting_scale(map_spec(other, layer)).least <= scale)
-            fitting += (fitting.empty() ? "" : ", ") + sheet;
-    }
-    return fitting;
-}
-
-/// Throws Error(input) if the content of a map does not fit its page at the chosen scale, with a scale and a sheet of
-/// paper that fit.
+/// Throws Error(input) if the content of a map does not fit its page at the chosen scale, with a scale that
+/// fits.
 void refuse_scale_that_does_not_fit(const MapSource& source, const MapLayer& layer, bool by_option) {
     if (!source.style.scale) return;
     const render::FittingScale fits = render::fitting_scale(map_spec(source, layer));
     const double scale = *source.style.scale;
     if (fits.least <= scale) return;
-    const std::string sheets = sheets_that_fit(source, layer, scale);
-    throw Error(ErrorKind::input,
-                Problem{"the flow does not fit " + source.style.size.paper + " at this scale",
-                        by_option ? "--scale" : "output.map-scale", "1 : " + grouped(scale),
-                        "at least 1 : " + grouped(std::ceil(fits.least)),
-                        "Take 1 : " + grouped(fits.round) +
-                            (sheets.empty() ? "; no other sheet fits at 1 : " + grouped(scale)
-                                            : ", or for 1 : " + grouped(scale) + " the size " + sheets)});
+    throw Error(ErrorKind::input, Problem{"the flow does not fit " + source.style.size.paper + " at this scale",
+                                          by_option ? "--scale" : "output.map-scale", "1 : " + grouped(scale),
+                                          "at least 1 : " + grouped(std::ceil(fits.least)),
+                                          "Take 1 : " + grouped(fits.round) + ", or a larger sheet of paper"});
 }
 
 }  // namespace
@@ -239,15 +221,6 @@ void refuse_too_large(const Values& values, const Request& request, Size page, S
                        std::to_string(size.width) + "x" + std::to_string(size.height));
 }
 
-void make_picture_folder(const std::string& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) {
-        throw Error(ErrorKind::environment, Problem{"cannot be made: " + error.message(), folder, "", "",
-                                                    "Check the rights, or choose another folder: --out"});
-    }
-}
-
 /// Logs the files for the user, and lists them in the result that contains them.
 void log_written(const std::vector<std::string>& files) {
     record_files(files);
@@ -269,7 +242,7 @@ void prepare_place(const DrawingPlace& place, const std::vector<std::string>& fi
     refuse_inputs(files, place.inputs, place.option, problems);
     check_own(place.folder, files, place.option, place.reads, problems);
     problems.throw_if_any();
-    place.is_own ? make_drawing_folder(place.folder) : make_picture_folder(place.folder);
+    if (place.is_own) make_drawing_folder(place.folder);
     begin_own(place.folder, files);
 }
 

@@ -12,8 +12,8 @@
 #include "app/input/share_directory.h"
 #include "app/process/machine_memory.h"
 #include "app/process/terminal.h"
-#include "app/publish/complete_result.h"
 #include "app/publish/publish.h"
+#include "app/publish/publish_pictures.h"
 #include "app/publish/publish_rasters.h"
 #include "app/publish/summary.h"
 #include "app/store/checkpoints.h"
@@ -58,7 +58,7 @@ CommandForm run_form() {
 
 namespace {
 
-ExitCode exit_code(const RunResult& result, const PictureOutcome& pictures) {
+ExitCode exit_code(const RunResult& result) {
     switch (result.stop_reason) {
         // The map ends at the edge of the terrain: a script must not treat it as complete.
         case StopReason::reached_no_data:
@@ -67,7 +67,7 @@ ExitCode exit_code(const RunResult& result, const PictureOutcome& pictures) {
         case StopReason::volume_drift:
             return ExitCode::numerical;
         default:
-            return pictures.failed.empty() ? ExitCode::done : ExitCode::environment;
+            return ExitCode::done;
     }
 }
 
@@ -240,21 +240,21 @@ int run_into(const RunInput& input, CheckpointFile* from, ResultDirectory& direc
     log_dry_gauges(result, prepared.scene, log);
 
     const std::optional<AccuracyRecord> accuracy = completed_record(input.accuracy, prepared, result);
-    const PictureOutcome pictures = publish({prepared, result, input.threads, input.input_seconds,
-                                             input.earlier_seconds, input.since_start, accuracy ? &*accuracy : nullptr},
-                                            directory, frames, log);
-    // An exit code other than 0 keeps everything that --resume needs to complete the run.
-    const bool stopped = result.stop_reason == StopReason::requested || !pictures.left_out.empty();
+    const bool all_drawn = publish({prepared, result, input.threads, input.input_seconds, input.earlier_seconds,
+                                    input.since_start, accuracy ? &*accuracy : nullptr},
+                                   directory, frames, log);
+    const bool stopped = result.stop_reason == StopReason::requested, signalled = stopped || !all_drawn;
     const int code =
-        stopped ? static_cast<int>(ExitCode::signal) + stop_signal() : static_cast<int>(exit_code(result, pictures));
-    const bool finished = code == static_cast<int>(ExitCode::done);
+        signalled ? static_cast<int>(ExitCode::signal) + stop_signal() : static_cast<int>(exit_code(result));
+    // Else everything stays that --resume needs to complete the run.
+    const bool finished = !stopped && exit_code(result) == ExitCode::done;
     directory.publish({provenance(prepared).at("SCENE_HASH"), result.simulated_seconds, finished}, log);
     if (finished) remove_working_files(directory.target(), !prepared.spec.output.frames, log);
     // The estimate of a study applies to the scene's own cells.
     if (const auto estimate = read_error_estimate(directory.target(), prepared.spec); estimate && !input.accuracy)
         log.info("error estimate of `frana converge`:\n" + *estimate);
     log.info("result in " + directory.target());
-    if (code != static_cast<int>(ExitCode::done) && !stopped) log.print_deferred_warnings();
+    if (code != static_cast<int>(ExitCode::done) && !signalled) log.print_deferred_warnings();
     const bool refused = finished && input.strict && is_open(result, input.prepared.scene);
     if (refused) log.print_deferred_warnings();
     return refused ? static_cast<int>(ExitCode::numerical) : code;
@@ -277,6 +277,35 @@ void require_scene(const std::string& file) {
     if (kind == study::StudyKind::region) refuse("a region of many slopes", "batch");
     if (kind == study::StudyKind::ensemble) refuse("a study of many runs", "ensemble");
     if (kind == study::StudyKind::calibration) refuse("a calibration", "calibrate");
+}
+
+/// Whether a folder contains a complete result.
+bool is_finished(const std::string& directory) {
+    const auto manifest = read_manifest(directory);
+    return manifest && manifest->finished;
+}
+
+/// Throws Error(input) if the finished result in a folder is of another scene, or lacks files that only a run writes.
+void require_complete(const Prepared& prepared, const std::string& directory) {
+    const auto then = result_identity(directory);
+    const std::string here = scene_identity(prepared);
+    if (then != here)
+        throw Error(ErrorKind::input,
+                    Problem{"contains the finished result of another scene: " +
+                                (then ? joined(identity_differences(here, *then), "; ") : "an older frana's"),
+                            directory, "", "", "Choose another folder with --out, or add --overwrite"});
+    std::vector<std::string> missing;
+    const Manifest manifest = read_manifest(directory).value_or(Manifest{});
+    for (const auto& [name, bytes] : manifest.files) {
+        const ResultFile* const file = existing_file(name);
+        const bool wanted = file != nullptr && !file->is_drawn() && file->kind != FileKind::working &&
+                            file->kind != FileKind::style && !name.ends_with(".gpkg");  // GIS write into these
+        if (wanted && !is_as_listed((std::filesystem::path(directory) / name).string(), bytes)) missing.push_back(name);
+    }
+    if (!missing.empty())
+        throw Error(ErrorKind::input,
+                    Problem{"files of the result are missing or not as the run wrote them: " + joined(missing, ", "),
+                            directory, "", "", "Restore them, or compute the scene again with --overwrite"});
 }
 
 int run_scene(const boost::program_options::variables_map& values, std::string& target, RunLog& log) {
@@ -311,11 +340,10 @@ int run_scene(const boost::program_options::variables_map& values, std::string& 
         warn_of_unknown_exposure(*exposed, prepared.scene.grid.bounds(), &prepared.scene.terrain, log);
     prepared.result_folder = target;
     if (is_complete) {
-        catch_stop_signals();
-        const bool all_there = complete_result(prepared, target, log);
-        if (!all_there && stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
-        if (!all_there) log.print_deferred_warnings();
-        return static_cast<int>(all_there ? ExitCode::done : ExitCode::environment);
+        require_complete(prepared, target);
+        remove_working_files(target, !prepared.spec.output.frames, log);  // a run was killed before it did this
+        log.info("the result is complete: " + target);
+        return static_cast<int>(ExitCode::done);
     }
     load_drawing(prepared.spec);
     const std::int64_t in_use = resident_memory();

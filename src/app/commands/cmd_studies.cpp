@@ -145,7 +145,7 @@ std::int64_t extended_samples(const study::StudySpec& study, const std::string& 
 /// result of another one.
 bool is_complete(const std::string& identity, const std::string& target) {
     const auto manifest = read_manifest(target);
-    if (!manifest || !manifest->finished.value_or(false)) return false;
+    if (!manifest || !manifest->finished) return false;
     if (manifest->scene_hash == text_hash(identity)) return true;
     throw Error(ErrorKind::input, Problem{"contains the finished result of another study", target, "", "",
                                           "Choose another folder with --out, or add --overwrite"});

@@ -81,13 +81,14 @@ namespace {
 constexpr std::size_t k_least_help = 40, k_most_help = 80;  // columns of the options
 
 /// Options that went, and what to use.
-constexpr std::array<std::array<const char*, 2>, 7> k_gone_options{{
+constexpr std::array<std::array<const char*, 2>, 8> k_gone_options{{
     {"--beside", "Use --difference"},
     {"--fly", "Draw --view 3d from one --camera"},
     {"--legend", "Remove it: colours are in classes"},
     {"--organisation", "Write it into --author"},
     {"--background-licence", "Write it into --attribution"},
     {"--schema", "Use --json: keys with types and limits"},
+    {"--schemes", "Run it again with --set numerics.scheme=..."},
     {"--uninstall", "Uninstall it in QGIS, Plugins"},
 }};
 

@@ -95,9 +95,7 @@ void print_end(const StudyCost& cost, int threads, const std::string& directory)
     print_fact("memory", bytes_text(static_cast<double>(cost.peak_bytes)) +
                              ", of which a member that runs takes up to " +
                              bytes_text(static_cast<double>(cost.worker_bytes)));
-    const std::string target = result_path(directory);
-    print_fact("result",
-               target + (has_files(target) ? ", which contains a result already: --overwrite replaces it" : ""));
+    print_result(directory);
     std::fflush(stdout);
 }
 
@@ -106,8 +104,7 @@ void add_end(const StudyCost& cost, int threads, const std::string& directory, J
                    {"estimated_seconds", cost.seconds / threads},
                    {"estimate_is_lower_bound", cost.is_lower_bound},
                    {"memory_bytes", cost.peak_bytes}};
-    const std::string target = result_path(directory);
-    json["result"] = {{"folder", target}, {"exists", has_files(target)}};
+    json["result"] = result_json(directory);
 }
 
 /// Slopes take time by their areas.
@@ -225,6 +222,17 @@ void print_members(const study::StudyInput& input) {
 const std::string k_density = "material.density";
 
 }  // namespace
+
+void print_result(const std::string& directory) {
+    const std::string place = result_path(directory);
+    print_fact("result",
+               place + (has_files(place) ? ", which contains a result already: --overwrite replaces it" : ""));
+}
+
+Json result_json(const std::string& directory) {
+    const std::string place = result_path(directory);
+    return {{"folder", place}, {"exists", has_files(place)}};
+}
 
 void print_defaults(const Prepared& prepared) {
     if (model_reads(prepared.spec, k_density))

@@ -18,6 +18,11 @@ void print_defaults(const Prepared& prepared);
 /// Adds the same to the document of --json.
 void add_defaults(const Prepared& prepared, Json& json);
 
+/// Prints where the result goes, and whether there is one.
+void print_result(const std::string& directory);
+/// The same for the document of --json.
+Json result_json(const std::string& directory);
+
 /// Expected resources of a study.
 struct StudyForecast {
     RunEstimate member;                 ///< the central one

@@ -52,20 +52,14 @@ bool by_attribute(const std::optional<SourceSpec>& source) {
     return source && source->kind == SourceSpec::Kind::attribute;
 }
 
-std::optional<SlipShape> shape_of(const ReleaseSpec& spec) {
-    if (spec.slip_shape == "ellipsoid") return SlipShape::ellipsoid;
-    if (spec.slip_shape == "base-level") return SlipShape::base_level;
-    return std::nullopt;
-}
-
 /// A slip surface under one polygon, fitted to the ground round it.
 class FittedSurface {
   public:
-    FittedSurface(const Raster& ground, const MultiPolygon& outline, std::optional<SlipShape> shape)
+    FittedSurface(const Raster& ground, const MultiPolygon& outline)
         : grid_(ground.grid),
           window_(window_round(ground, outline)),
-          surface_(ground.values.is_tiled() ? SlipSurface(part_of(ground, window_), outline, shape)
-                                            : SlipSurface(ground, outline, shape)) {}
+          surface_(ground.values.is_tiled() ? SlipSurface(part_of(ground, window_), outline, {})
+                                            : SlipSurface(ground, outline, {})) {}
 
     [[nodiscard]] const SlipSurface& surface() const noexcept { return surface_; }
     /// On the cells of the whole ground.
@@ -226,7 +220,7 @@ std::vector<ReleaseArea> areas_above_slip_surfaces(const SceneReading& reading, 
     std::vector<FittedSurface> surfaces;
     for (std::size_t i = 0; i < layer.features.size(); ++i) {
         try {
-            surfaces.emplace_back(ground, layer.features[i].parts, shape_of(spec));
+            surfaces.emplace_back(ground, layer.features[i].parts);
         } catch (const Error& error) {
             Problem problem = error.problems().front();
             problem.what = feature_name(layer, i) + ": " + problem.what;
@@ -315,17 +309,11 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
     std::vector<std::shared_ptr<const gis::RasterOnDemand>> unread;
     for (const std::string& file : spec.names) {
         attempt(problems, [&] {
-            gis::RasterInfo info = reading.session.read(gis::inspect_raster, file, where);
-            if (reading.scene.release.thickness_crs) {
-                info.crs_wkt = reading.session.read(gis::crs_from_user, *reading.scene.release.thickness_crs,
-                                                    reading.where("release.thickness-crs"));
-                info.crs_label = reading.session.read(gis::crs_name, info.crs_wkt);
-            }
+            const gis::RasterInfo info = reading.session.read(gis::inspect_raster, file, where);
             if (ground == nullptr) return;
             const bool local = ground->terrain.grid.crs_wkt.empty();
             if (!local && info.crs_wkt.empty()) {
-                problems.add({"has no coordinate reference system", where, file, "",
-                              "State it with release.thickness-crs = EPSG:..."});
+                problems.add({"has no coordinate reference system", where, file, "", k_state_zone_crs});
                 return;
             }
             gis::RasterRead read;

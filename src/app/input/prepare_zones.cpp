@@ -186,7 +186,7 @@ void read_polygon_zones(const SceneReading& reading, const TerrainInput* ground,
     name_columns(reading, layer, list, log, problems);
     if (ground == nullptr) return;
     report_transform(worded("Zones"), layer.transform, ground->terrain.grid.cell_size, log);
-    if (!is_on_ground(reading, key, layer.bounds, *ground, reading.scene.zones.beyond_dtm == "clip", problems)) return;
+    if (!is_on_ground(reading, key, layer.bounds, *ground, true, problems)) return;
     const GridSpec& grid = ground->terrain.grid;
     if (ground->on_demand) {
         burn_on_demand(reading, layer, grid, released, list, zones, log, problems);

@@ -11,6 +11,8 @@
 #include "app/input/check_inputs.h"
 #include "app/input/on_demand.h"
 #include "app/input/prepare.h"
+#include "app/pictures/charts.h"
+#include "app/publish/map_page.h"
 #include "app/publish/publish_exposure.h"
 #include "app/publish/publish_hazard.h"
 #include "app/publish/publish_pictures.h"
@@ -209,7 +211,7 @@ struct Publication {
     SummaryFacts facts;
     SeparateFlows flows;
     std::optional<Comparison> comparison{};
-    PictureOutcome pictures{};
+    bool all_drawn = true;  ///< but those that failed
     Stopwatch watch{};
 
     [[nodiscard]] const Prepared& prepared() const { return run.prepared; }
@@ -246,9 +248,9 @@ SummaryFacts facts_of(const Finished& run) {
 
 void write_pictures(Publication& p) {
     p.facts.wall.output = p.watch.seconds() + p.frames.seconds();
-    p.pictures = draw_pictures({p.prepared().spec, p.directory.path(""), p.comparison, false, p.facts.statistics,
-                                p.facts.date, limits_of_use(p.result().warnings), &p.result()},
-                               p.log);
+    p.all_drawn = draw_pictures({p.prepared().spec, p.directory.path(""), p.comparison, p.facts.statistics,
+                                 p.facts.date, limits_of_use(p.result().warnings), &p.result()},
+                                p.log);
     p.facts.wall.render = p.watch.seconds() + p.frames.seconds() - p.facts.wall.output;
 }
 
@@ -293,6 +295,14 @@ constexpr std::pair<const char*, void (*)(Publication&)> k_writers[] = {
          write_text_file(p.directory.path(k_summary_file), summary_json(p.result(), p.facts));
          p.log.note("wrote summary.json");
      }},
+    {"map page",  // which says what the summary says
+     [](Publication& p) {
+         const SceneSpec& spec = p.prepared().spec;
+         if (spec.output.report)
+             is_drawn(k_map_page_file, p.log, [&] {
+                 write_map_page(p.directory.folder(), spec.output.title.value_or(scene_name(spec)), &p.result());
+             });
+     }},
     {"QGIS project",  // whose sheets show what the summary says
      [](Publication& p) {
          const SceneSpec& spec = p.prepared().spec;
@@ -301,18 +311,17 @@ constexpr std::pair<const char*, void (*)(Publication&)> k_writers[] = {
     {"log", [](Publication& p) { write_text_file(p.directory.path(k_log_file), p.log.text()); }}};
 
 /// Writes a result on the cells that its rasters have.
-PictureOutcome publish_all(const Finished& run, const ResultDirectory& directory, const FrameWriter& frames,
-                           RunLog& log) {
+bool publish_all(const Finished& run, const ResultDirectory& directory, const FrameWriter& frames, RunLog& log) {
     log_result(run, log);
     Publication all{run, directory, frames, log, facts_of(run), separate_flows(run.result)};
     note_flows(all.facts.statistics.run_outs, log);
     for (const auto& [what, write] : k_writers) write(all);
-    return all.pictures;
+    return all.all_drawn;
 }
 
 }  // namespace
 
-PictureOutcome publish(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log) {
+bool publish(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log) {
     if (frames.count() > 0) frames.finish();
     const std::optional<CellWindow> window = reached_window(run.prepared, run.result);
     if (!window) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <new>
 
 #include "app/pictures/animation.h"
 #include "app/pictures/charts.h"
@@ -43,47 +42,38 @@ MapSource map_source(const ResultReader& written, const PictureRequest& request)
 /// Draws pictures one after the other.
 class Drawings {
   public:
-    Drawings(bool only_missing, RunLog& log) : only_missing_(only_missing), log_(log) {}
+    explicit Drawings(RunLog& log) : log_(log) {}
 
-    /// @param files of the picture
     /// @param draw returns false if it was stopped before the end
     template <class Draw>
-    void attempt(const std::string& what, const std::vector<std::string>& files, const Draw& draw) {
-        const auto is_there = [](const std::string& file) { return fs::exists(file); };
-        if (only_missing_ && std::all_of(files.begin(), files.end(), is_there)) return;
-        outcome_.files.insert(outcome_.files.end(), files.begin(), files.end());
+    void attempt(const std::string& what, const Draw& draw) {
         guard(what, [&] {
-            const bool complete = stop_signal() == 0 && draw();
-            (complete ? outcome_.drawn : outcome_.left_out).push_back(what);
-            if (complete) log_.note("drew " + what);
+            if (stop_signal() == 0 && draw())
+                log_.note("drew " + what);
+            else
+                left_out_.push_back(what);
         });
     }
-    /// Whatever drawing throws is a warning. Memory and disk may be there for --resume; no other failure goes away.
+    /// Whatever drawing throws is a warning.
     template <class Work>
     void guard(const std::string& what, const Work& work) {
-        const auto warn = [&](const std::exception& error, bool may_pass) {
-            log_.warn(worded("{1} could not be drawn: {2}", {what, std::string(error.what())}));
-            if (may_pass) outcome_.failed.push_back(what);
-        };
         try {
             work();
-        } catch (const Error& error) {
-            warn(error, error.kind() == ErrorKind::environment);
         } catch (const std::exception& error) {
-            warn(error, dynamic_cast<const std::bad_alloc*>(&error) != nullptr);
+            log_.warn(worded("{1} could not be drawn: {2}", {what, std::string(error.what())}));
         }
     }
-    [[nodiscard]] PictureOutcome outcome() const {
-        if (!outcome_.left_out.empty())
+    /// Whether no signal stopped it.
+    [[nodiscard]] bool ended() const {
+        if (!left_out_.empty())
             log_.warn(
-                worded("left out because of the signal: {1}; --resume draws them", {joined(outcome_.left_out, ", ")}));
-        return outcome_;
+                worded("left out because of the signal: {1}; `frana render` draws them", {joined(left_out_, ", ")}));
+        return left_out_.empty();
     }
 
   private:
-    bool only_missing_;
     RunLog& log_;
-    PictureOutcome outcome_;
+    std::vector<std::string> left_out_;
 };
 
 /// Returns "max_depth", "max_depth_3d" and so on, as requested by the scene.
@@ -109,7 +99,7 @@ void draw_maps(const std::vector<std::string>& requested, const ResultReader& wr
                               (row != nullptr && row->if_it_happens);
         if (may_lack && !written.has(layer + ".tif")) continue;
         const std::string stem = written.path("maps/" + name);
-        drawings.attempt("maps/" + name, picture_files(drawer.style(), stem), [&] {
+        drawings.attempt("maps/" + name, [&] {
             make_drawing_folder(written.path("maps"));
             drawer.draw(written.map_layer(layer), view_3d, stem);
             return true;
@@ -119,10 +109,7 @@ void draw_maps(const std::vector<std::string>& requested, const ResultReader& wr
 
 void draw_all_charts(const ResultReader& written, const MapSource& source, Drawings& drawings) {
     const std::string folder = written.path("charts");
-    std::vector<std::string> files;
-    // The error is reported when they are drawn.
-    if (!attempt([&] { files = chart_files(written, source, folder); })) files.emplace_back();
-    drawings.attempt("charts", files, [&] {
+    drawings.attempt("charts", [&] {
         make_drawing_folder(folder);
         Problems problems;
         draw_charts(written, source, folder, problems);
@@ -134,7 +121,7 @@ void draw_all_charts(const ResultReader& written, const MapSource& source, Drawi
 void draw_animation(const ResultReader& written, const MapSource& source, Drawings& drawings) {
     const std::string path = written.path(k_animation_file);
     if (!written.has(k_frame_list) || written.frames().empty()) return;
-    drawings.attempt(k_animation_file, {path}, [&] {
+    drawings.attempt(k_animation_file, [&] {
         AnimationRequest animation{animation_source(written, source, "depth"), false,
                                    animation_size(source.style.size)};
         animation.stop_requested = [] { return stop_signal() != 0; };
@@ -164,25 +151,25 @@ std::int64_t drawing_library_bytes(const SceneSpec& scene) {
     return (draws(scene) ? k_vtk_bytes : 0) + (scene.output.animation ? k_libav_bytes : 0);
 }
 
-PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log) {
+bool draw_pictures(const PictureRequest& request, RunLog& log) {
     const OutputSpec& output = request.spec.output;
-    Drawings drawings(request.only_missing, log);
+    Drawings drawings(log);
     const bool maps = output.maps.front() != "off";
-    if (!maps && !output.animation) return drawings.outcome();
+    if (!maps && !output.animation) return drawings.ended();
     drawings.guard("the pictures", [&] {
         ResultReader written(request.folder);
         if (request.run != nullptr) written.take_values_of(*request.run);
         const MapSource source = map_source(written, request);
         LayerDrawer drawer(source);
         drawer.draw_at_next_scale([&](const Sentence& warning) { log.warn(warning); });
-        if (output.report && !request.only_missing) {
+        if (output.report) {
             const std::string folder = written.path(k_page_folder);
             make_drawing_folder(folder);
             drawer.draw_for_page_too(folder);
         }
         draw_maps(output.maps, written, drawer, drawings);
         if (maps && request.comparison && request.comparison->statistics) {
-            drawings.attempt("comparison", comparison_pictures(source.style, written.directory()), [&] {
+            drawings.attempt("comparison", [&] {
                 draw_comparison(*request.comparison, drawer, written.directory());
                 return true;
             });
@@ -191,7 +178,7 @@ PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log) {
         if (output.animation) draw_animation(written, source, drawings);
         if (const auto warning = letter_warning()) log.warn(*warning);
     });
-    return drawings.outcome();
+    return drawings.ended();
 }
 
 }  // namespace frana::app

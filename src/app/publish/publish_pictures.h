@@ -18,21 +18,10 @@ struct PictureRequest {
     const SceneSpec& spec;
     std::string folder;  ///< of the result
     const std::optional<Comparison>& comparison;
-    bool only_missing = false;                 ///< existing ones are kept
     std::optional<MainStatistics> statistics;  ///< of a run whose summary.json is not written yet
     std::string date{};                        ///< the same
     Warnings warnings{};                       ///< the same
     const RunResult* run = nullptr;            ///< whose rasters are drawn; null: those of the files
-};
-
-/// The result of drawing.
-struct PictureOutcome {
-    std::vector<std::string> drawn;     ///< "maps/max_depth"
-    std::vector<std::string> files;     ///< of all that were begun
-    std::vector<std::string> failed;    ///< for a reason that may pass; each with a warning
-    std::vector<std::string> left_out;  ///< not drawn because of a stop signal; one warning for all
-
-    [[nodiscard]] bool complete() const noexcept { return failed.empty() && left_out.empty(); }
 };
 
 /// Loads what the pictures and the particles of a run are drawn and written with: it is better missed before the run
@@ -44,7 +33,7 @@ void load_drawing(bool pictures, bool films, Loading loading);
 std::int64_t drawing_library_bytes(const SceneSpec& scene);
 
 /// Draws them; any exception is a warning, since the numbers are more important than a picture. Pictures not begun when
-/// a stop signal arrives are left out, so that the program ends soon.
-PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log);
+/// a stop signal arrives are left out, so that the program ends soon; then returns false.
+bool draw_pictures(const PictureRequest& request, RunLog& log);
 
 }  // namespace frana::app

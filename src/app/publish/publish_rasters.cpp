@@ -20,6 +20,7 @@
 #include "params/keys/output_parameters.h"
 #include "params/keys/result_rasters.h"
 #include "params/keys/zone_keys.h"
+#include "simulation/run_summary.h"
 #include "simulation/scene_values.h"
 
 namespace frana::app {

@@ -106,8 +106,6 @@ std::string frame_problem(const std::string& folder, const std::vector<FrameReco
 
 namespace {
 
-namespace fs = std::filesystem;
-
 std::string list_file(const std::string& folder) {
     return (fs::path(folder) / fs::path(k_frame_list).filename()).string();
 }

@@ -20,14 +20,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Older versions have a file record_0000007.frana for each member.
-constexpr const char *k_record_beginning = "record", *k_record_ending = ".frana";
+constexpr const char *k_record_beginning = "records_", *k_record_ending = ".frana";
 
 }  // namespace
 
 std::string record_file(const std::string& folder, int number) {
     char name[40];
-    std::snprintf(name, sizeof name, "%ss_%05d%s", k_record_beginning, number, k_record_ending);
+    std::snprintf(name, sizeof name, "%s%05d%s", k_record_beginning, number, k_record_ending);
     return (fs::path(folder) / k_record_folder / name).string();
 }
 
@@ -65,8 +64,6 @@ std::string interrupted_study(const std::string& directory) {
 }
 
 namespace {
-
-namespace fs = std::filesystem;
 
 fs::path result_of(const std::string& checkpoint) {
     return fs::path(checkpoint).parent_path().parent_path();
@@ -109,7 +106,7 @@ void put_back_whole(const fs::path& whole, const fs::path& frames) {
 InterruptedRun::InterruptedRun(const std::string& directory) {
     const std::optional<Manifest> manifest = read_manifest(directory);
     const std::string partial = left_by_killed_run(directory);
-    if (!manifest || !manifest->finished.value_or(false)) checkpoints_ = checkpoints_in(directory);
+    if (!manifest || !manifest->finished) checkpoints_ = checkpoints_in(directory);
     in_place_ = !checkpoints_.empty();
     const std::vector<std::string> found = partial.empty() ? std::vector<std::string>{} : checkpoints_in(partial);
     if (!found.empty()) beside_ = partial;

@@ -119,7 +119,7 @@ std::optional<Manifest> read_manifest(const std::string& folder) {
     Manifest manifest;
     manifest.scene_hash = value_in<std::string>(*json, "/scene_hash").value_or("");
     manifest.simulated_seconds = value_in<double>(*json, "/simulated_seconds").value_or(0);
-    manifest.finished = value_in<bool>(*json, "/finished");
+    manifest.finished = value_in<bool>(*json, "/finished").value_or(false);
     try {
         if (!json->at("files").is_array()) return std::nullopt;
         for (const Json& entry : json->at("files")) {
@@ -138,8 +138,8 @@ void write_manifest(const std::string& folder, const Manifest& manifest) {
               {"format", k_manifest_format},
               {"written", now_utc()},
               {"scene_hash", manifest.scene_hash},
-              {"simulated_seconds", manifest.simulated_seconds}};
-    if (manifest.finished) json["finished"] = *manifest.finished;
+              {"simulated_seconds", manifest.simulated_seconds},
+              {"finished", manifest.finished}};
     Json& files = json["files"] = Json::array();
     for (const auto& [name, bytes] : manifest.files)
         files.push_back({{"name", escaped_name(name)}, {"bytes", bytes ? Json(*bytes) : Json()}});
@@ -195,10 +195,6 @@ void remove_from_manifest(const std::string& folder, const std::vector<std::stri
         for (const std::string& name : names) forgotten += manifest.files.erase(name);
         return forgotten > 0;
     });
-}
-
-void record_finished(const std::string& folder) {
-    update(folder, [](Manifest& manifest) { return !std::exchange(manifest.finished, true).value_or(false); });
 }
 
 }  // namespace frana::app

@@ -14,8 +14,7 @@ namespace frana::app {
 struct Manifest {
     std::string scene_hash;  ///< as in the rasters' metadata
     double simulated_seconds = 0;
-    /// Complete; checkpoints that still exist only have to be removed; none: of an older frana without this field.
-    std::optional<bool> finished;
+    bool finished = false;  ///< complete: checkpoints that still exist only have to be removed
     /// Sizes [bytes] by path inside the result, with '/' between folders; none: frana is writing it, or was when it was
     /// killed.
     std::map<std::string, std::optional<std::uint64_t>> files;
@@ -53,8 +52,5 @@ std::vector<std::string> changed_files(const std::vector<std::string>& paths);
 
 /// Removes files that no longer exist from a result's manifest. Throws Error(environment).
 void remove_from_manifest(const std::string& folder, const std::vector<std::string>& names);
-
-/// Marks a result as complete in its manifest. Throws Error(environment).
-void record_finished(const std::string& folder);
 
 }  // namespace frana::app

@@ -237,8 +237,6 @@ void refuse_inputs(const std::vector<std::string>& outputs, const std::vector<st
 
 namespace {
 
-namespace fs = std::filesystem;
-
 bool lists_files(const fs::path& folder) {
     return read_manifest(folder.string()).has_value();
 }
@@ -305,6 +303,12 @@ void make_drawing_folder(const std::string& folder) {
 }
 
 void begin_own(const std::string& folder, const std::vector<std::string>& files) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+        throw Error(ErrorKind::environment,
+                    Problem{"cannot be made: " + error.message(), folder, "", "",
+                            "Check the place's rights and free space, or choose another folder with --out"});
     if (!around(folder, lists_files) && !around(folder, is_result)) write_manifest(folder, {});
     for (const std::string& file : changed_files(files))
         throw Error(ErrorKind::environment, Problem{"was changed since frana wrote it", file, "", "",

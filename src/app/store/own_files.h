@@ -92,9 +92,9 @@ void check_own(const std::string& folder, const std::vector<std::string>& files,
 /// symbolic link, through which files would be written elsewhere.
 void make_drawing_folder(const std::string& folder);
 
-/// Call before the first of the files is written: creates a list in a folder without one, so that files are identified
-/// after a kill; record_files() lists them at the end. Throws Error(environment), also for files that were changed
-/// since check_own().
+/// Call before the first of the files is written: makes the folder and a list in one without, so that files are
+/// identified after a kill; record_files() lists them at the end. Throws Error(environment), also for files that were
+/// changed since check_own().
 void begin_own(const std::string& folder, const std::vector<std::string>& files);
 
 }  // namespace frana::app

@@ -87,7 +87,7 @@ void check_older(const fs::path& path, Older older, const Place& where, Problems
              "Choose an empty or new folder with --out (a result without its manifest.json counts as such a one)"});
     } else if (older == Older::refused) {
         problems.add({"contains a result already", where, path.string(), "",
-                      manifest->finished.value_or(false) || checkpoints_in(path.string()).empty()
+                      manifest->finished || checkpoints_in(path.string()).empty()
                           ? "Choose another folder with --out, or add --overwrite"
                           : "It was stopped before its end: --resume continues it, --overwrite starts anew"});
     } else if (older == Older::replaced) {
@@ -186,8 +186,6 @@ std::optional<Problem> check_result_directory(const std::string& directory, Olde
 }
 
 namespace {
-
-namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const std::string& what, const std::string& path, const std::string& reason,
                        const std::string& remedy = "Check the place's rights and free space") {

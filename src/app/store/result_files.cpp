@@ -109,7 +109,7 @@ std::vector<ResultFile> make_table() {
               {k_outlines_file, k_profile_lines, k_gauge_places, k_hazard_zones_file, k_exposure_file});
     table.add_styles(k_hazard_zones_file);
     table.add(FileKind::table, {k_series_file, k_profile_table, k_gauge_table, k_section_table, k_exposure_table});
-    table.add(FileKind::page, {k_report_file});
+    table.add(FileKind::page, {k_report_file, k_map_page_file});
     table.add(FileKind::style, {k_project_file});
     table.add(FileKind::table, {k_frame_list});
     table.add(FileKind::vector, {"frames/particles_*.gpkg"});
@@ -120,11 +120,8 @@ std::vector<ResultFile> make_table() {
     table.add_rasters().add_page("comparison");
     table.by("ensemble");
     table.add(FileKind::text, {k_study_file, std::string(k_member_folder) + "/member_*/scene.ini"});
-    const std::string records = std::string(k_record_folder) + "/record";  // record_*.frana: of older versions
-    const std::string of_events = std::string(k_record_folder) + "/*/" + records;
-    table.add(FileKind::working, {k_record_identity});
-    for (const std::string& place : {records, of_events})
-        table.add(FileKind::working, {place + "s_*.frana", place + "_*.frana"});
+    const std::string records = std::string(k_record_folder) + "/records_*.frana";
+    table.add(FileKind::working, {k_record_identity, records, std::string(k_record_folder) + "/*/" + records});
     table.add(FileKind::table,
               {k_member_table, k_sensitivity_table, k_hazard_curves, k_disaggregation, k_joined_records});
     table.add(FileKind::vector, {k_member_outlines});

@@ -53,7 +53,7 @@ inline constexpr const char* k_summary_file = "summary.json";
 /// What the scene read: places and checksums.
 inline constexpr const char* k_inputs_file = "inputs.json";
 inline constexpr const char* k_log_file = "log.txt";
-inline constexpr const char* k_report_file = "report.html";
+inline constexpr const char *k_report_file = "report.html", *k_map_page_file = "map.html";
 inline constexpr const char* k_series_file = "timeseries.csv";
 inline constexpr const char* k_outlines_file = "extent.gpkg";
 /// A QGIS project that shows the result.

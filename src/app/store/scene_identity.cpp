@@ -36,13 +36,6 @@ std::string echo(const SceneSpec& scene, const std::map<std::string, std::string
     return scene_text(spec, resolved);
 }
 
-// FNV-1a, 64 bits.
-std::uint64_t hash(const std::string& text) {
-    std::uint64_t h = 0xcbf29ce484222325ULL;
-    for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-    return h;
-}
-
 // Returns a scene's text without its comments, which state the source of each value.
 std::string values_only(const std::string& text) {
     std::istringstream lines(text);
@@ -212,10 +205,7 @@ std::string numbers_fingerprint(const SceneSpec& scene) {
     numbers.output = OutputSpec{};
     numbers.observed = ObservedSpec{};
     numbers.time.frame_interval = TimeSpec{}.frame_interval;
-    char text[32];
-    std::snprintf(text, sizeof text, "%016llx",
-                  static_cast<unsigned long long>(hash(values_only(scene_text(numbers, {})))));
-    return text;
+    return text_hash(values_only(scene_text(numbers, {})));
 }
 
 std::string convergence_directory(const std::string& result_directory) {

@@ -353,8 +353,8 @@ void check_finite_volume(const SceneSpec& scene, const std::set<std::string>& gi
         problems.add({why, Place(file, key), value, "", "Remove it, or set numerics.scheme = default"});
     };
     constexpr const char* k_of_particles = "is for particles, which numerics.scheme = finite-volume does not have";
-    for (const char* key : {"numerics.transfer", "numerics.particles-per-cell", "numerics.well-balanced",
-                            "numerics.flight-angle", "numerics.flight-clearance", "numerics.flight-drag"})
+    for (const char* key :
+         {"numerics.transfer", "numerics.particles-per-cell", "numerics.well-balanced", "numerics.flight-clearance"})
         if (const Parameter& one = *find_parameter(scene_parameters(), key);
             given.contains(key) && one.write(scene) != one.write(SceneSpec{}))  // an echo has defaults
             refuse(key, one.write(scene).value_or(""), k_of_particles);

@@ -151,17 +151,12 @@ std::optional<Size> page_from_text(const std::string& text) {
 
 }  // namespace
 
-std::vector<std::string> directed_papers() {
+std::string paper_names() {
     std::vector<std::string> names;
+    for (const Paper& paper : k_papers) names.emplace_back(paper.name);
     for (const Paper& paper : k_papers)
         for (const char* direction : k_directions) names.push_back(std::string(paper.name) + direction);
-    return names;
-}
-
-std::string paper_names() {
-    std::string names;
-    for (const Paper& paper : k_papers) names += std::string(paper.name) + ", ";
-    return names + joined(directed_papers(), ", ");
+    return joined(names, ", ");
 }
 
 std::string size_forms() {

@@ -47,9 +47,7 @@ inline bool is_paper(const Size& size) {
 /// Returns the size of a map of ground this wide and high: one that turns is upright from the shape on at which an
 /// upright page's frame shows the ground at the greater scale.
 Size size_for_ground(Size size, double width, double height);
-/// Returns the sheets of paper (ISO 216) with their direction, from small to large: "A4-portrait", ...
-std::vector<std::string> directed_papers();
-/// Returns those of maps: "A4, A3, A4-portrait, ..."; without a direction the flow turns it.
+/// Returns the sheets of paper of maps: "A4, A3, A4-portrait, ..."; without a direction the flow turns it.
 std::string paper_names();
 /// Returns the sizes that size_from_text accepts, for messages.
 std::string size_forms();

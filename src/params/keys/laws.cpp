@@ -16,9 +16,8 @@ bool in_section(const std::string& name, const std::string& section) {
 
 // Keys outside [material], [zones] and [entrainment] for the particles of the first model only.
 const std::set<std::string> k_voellmy_bingham_only{
-    "material.preset",        "terrain.friction-zones",   "numerics.scheme", "numerics.transfer",
-    "numerics.well-balanced", "numerics.curvature",       "numerics.flight", "numerics.flight-angle",
-    "numerics.flight-drag",   "numerics.flight-clearance"};
+    "material.preset",        "terrain.friction-zones", "numerics.scheme", "numerics.transfer",
+    "numerics.well-balanced", "numerics.curvature",     "numerics.flight", "numerics.flight-clearance"};
 
 // Keys of [structured] that pure fluid reads too.
 const std::set<std::string> k_fluid_keys{

@@ -99,10 +99,6 @@ void add_solids(std::vector<Parameter>& list) {
                           "a fourth of the greatest thickness at the start, within half a cell and two thirds"));
     list.push_back(number("structured.basal-pore-pressure-fraction", FRANA_MEMBER(structured.pore_pressure_fraction),
                           "", Range{0, 1}, "Fraction B of the confined fluid's pressure that reaches the bed."));
-    list.push_back(number(
-        "structured.modulus-reduction", FRANA_MEMBER(structured.modulus_reduction), "", Range{1, 100},
-        "Divides both moduli; elastic waves are slower by its square root, and substeps longer by the same factor. At "
-        "most so that the elastic strain at the strength is a twentieth of critical-strain."));
 }
 
 }  // namespace
@@ -120,11 +116,7 @@ void add_structured(std::vector<Parameter>& list) {
 
 namespace {
 
-using declare::choice;
-using declare::number;
 using declare::on_off;
-using declare::Range;
-using declare::text;
 using declare::word_list;
 
 /// Adds "off" to a number: not given.

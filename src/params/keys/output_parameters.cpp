@@ -80,15 +80,9 @@ void add_pictures(std::vector<Parameter>& list) {
 
 namespace {
 
-using declare::choice;
 using declare::data_file;
-using declare::holds;
-using declare::number;
-using declare::on_off;
 using declare::option;
-using declare::Range;
 using declare::rising_numbers;
-using declare::text;
 
 }  // namespace
 
@@ -102,7 +96,7 @@ void add_extra_output(std::vector<Parameter>& list) {
                           "everything released, reached or surveyed, with a margin; auto: reached on maps of over " +
                               std::to_string(k_largest_whole_map / 1'000'000) + " million cells."));
     list.push_back(on_off("output.report", FRANA_MEMBER(output.report),
-                          "Write report.html: maps, parameters, inputs, results and warnings in one file."));
+                          "Write report.html (all of the result in one file) and map.html (a map to click)."));
     list.push_back(
         holds("points", text("output.gauges", FRANA_MEMBER(output.gauges), "file",
                              "Points where depth and speed are recorded over time, in their own CRS.", "none")));

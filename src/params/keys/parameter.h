@@ -11,19 +11,7 @@
 
 namespace frana {
 
-/// A second name of a key, that of earlier versions, which scenes may use.
-struct FormerName {
-    const char* former;
-    const char* now;
-};
-
-/// In the order of the reference.
-[[nodiscard]] const std::vector<FormerName>& former_names();
-
-/// Returns the entry of a name; null if it is no former name.
-[[nodiscard]] const FormerName* former_name(const std::string& name);
-
-/// Returns the present name of a key; `name` itself if it is no former name.
+/// Returns the present name of a key of a scene: [scar] is [observed].
 [[nodiscard]] std::string present_name(const std::string& name);
 
 /// The reason why a text is invalid; the reader adds file and key.

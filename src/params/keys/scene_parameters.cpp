@@ -37,8 +37,6 @@ void add_input_parameters(std::vector<Parameter>& list) {
                       "all features"));
     insert(list, text("release.perimeter-crs", FRANA_MEMBER(release.perimeter_layer.crs), "text",
                       "CRS, if the file names none or a wrong one.", "the file's own"));
-    insert(list, text("release.thickness-crs", FRANA_MEMBER(release.thickness_crs), "text",
-                      "CRS of the thickness rasters, if they name none or a wrong one.", "the files' own"));
     insert(list, text("observed.perimeter-filter", FRANA_MEMBER(observed.perimeter_layer.filter), "text", k_filter,
                       "all features"));
     insert(list, text("observed.perimeter-crs", FRANA_MEMBER(observed.perimeter_layer.crs), "text",
@@ -49,12 +47,9 @@ void add_input_parameters(std::vector<Parameter>& list) {
 
 using declare::choice;
 using declare::holds;
-using declare::number;
 using declare::on_off;
 using declare::option;
-using declare::Range;
 using declare::source;
-using declare::text;
 using Given = SourceSpec::Kind;
 
 Parameter bounds_parameter() {
@@ -196,9 +191,6 @@ void add_release(std::vector<Parameter>& list) {
         {Given::number, Given::attribute},
         "Greatest depth of a fitted slip surface below the surface that spans the perimeter; this or release.volume.",
         "from release.volume"));
-    list.push_back(choice("release.slip-shape", FRANA_MEMBER(release.slip_shape), {"auto", "ellipsoid", "base-level"},
-                          "Shape of a fitted slip surface; auto: ellipsoid if the whole perimeter is visible from its "
-                          "centroid, otherwise sloping local base level."));
 }
 
 void add_inflow(std::vector<Parameter>& list) {
@@ -219,17 +211,8 @@ void add_zones(std::vector<Parameter>& list) {
         list.push_back(source(
             key.name, [member = key.source](auto& scene) -> auto& { return scene.zones.*member; }, key.unit, key.range,
             {Given::attribute, Given::raster}, key.meaning, "the material's own everywhere"));
-    list.push_back(
-        choice("zones.beyond-dtm", FRANA_MEMBER(zones.beyond_dtm), {"stop", "clip"},
-               "Zone polygons that reach beyond the working grid: refuse them, or use the part on the grid."));
 }
 
-using declare::choice;
-using declare::number;
-using declare::on_off;
-using declare::option;
-using declare::Range;
-using declare::text;
 using declare::word_list;
 
 Parameter particles_per_cell_parameter() {
@@ -308,16 +291,9 @@ void add_numerics(std::vector<Parameter>& list) {
                           "pressure and loses the velocity normal to the bed on landing; off: it stays on the bed. "
                           "Needs curvature, scheme default and transfer apic.",
                           "on with curvature, scheme default and transfer apic"));
-    list.push_back(number(
-        "numerics.flight-angle", FRANA_MEMBER(numerics.flight_angle), "degrees", Range{16, 74},
-        "Angle by which the ground falls away below the path where half of the flow leaves it: all of it from 15 "
-        "degrees more on, none up to 15 degrees less."));
     list.push_back(number("numerics.flight-clearance", FRANA_MEMBER(numerics.flight_clearance), "m", Range{0, 100},
                           "Height above the ground up to which what flies counts in maxima, arrival times, classes of "
                           "intensity and exposure: a house may stand in it."));
-    list.push_back(number("numerics.flight-drag", FRANA_MEMBER(numerics.flight_drag), "", Range{0, 10},
-                          "Drag coefficient of what flies: the air slows a layer of thickness d down by flight-drag "
-                          "rho_air v^2 / (2 density d); 0: none."));
     list.push_back(declare::decides_map(
         declare::option("numerics.boundary", FRANA_MEMBER(numerics.boundary),
                         declare::Words<Boundary>{{"open", Boundary::open}, {"wall", Boundary::wall}},

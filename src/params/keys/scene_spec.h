@@ -56,12 +56,10 @@ struct ReleaseSpec {
     std::optional<std::string> perimeter;
     LayerSpec perimeter_layer;
     std::optional<ThicknessSpec> thickness;
-    std::optional<std::string> thickness_crs;
     std::string thickness_direction = "vertical";
     bool dtm_contains_release = false;
     std::optional<SourceSpec> level;  ///< instead of the thickness
     std::optional<SourceSpec> volume, start, velocity, direction, slip_depth;
-    std::string slip_shape = "auto";
 };
 
 /// [inflow]
@@ -73,7 +71,6 @@ struct InflowSpec {
 /// [zones]
 struct ZonesSpec {
     std::optional<SourceSpec> friction_angle, friction_coefficient, turbulence, cohesion, erodible_depth;
-    std::string beyond_dtm = "stop";
 };
 
 /// Keys of [material]: bed friction by place after a published table.

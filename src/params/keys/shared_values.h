@@ -40,7 +40,6 @@ struct StructuredValues {
     double bulk_modulus = 23e6;              ///< [Pa]
     double critical_strain = 0.05;           ///< eps_c [-]
     std::optional<double> damage_length;     ///< R [m]
-    double modulus_reduction = 1;            ///< divides both moduli [-]
     double pore_pressure_fraction = 0;       ///< B [-]
     bool manning_on_total = false;           ///< by the total depth; false: by that of the free fluid
 };

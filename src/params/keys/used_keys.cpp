@@ -142,21 +142,12 @@ struct Condition {
 constexpr Condition k_conditions[] = {
     {"release.thickness-direction", [](const SceneSpec& s) { return s.release.thickness.has_value(); }},
     {"release.dtm-contains-release", [](const SceneSpec& s) { return s.release.thickness.has_value(); }},
-    {"release.slip-shape",
-     [](const SceneSpec& s) { return s.release.thickness.has_value() && s.release.thickness->fitted(); }},
-    {"zones.beyond-dtm",
-     [](const SceneSpec& s) {
-         return s.zones.friction_angle || s.zones.friction_coefficient || s.zones.turbulence || s.zones.cohesion ||
-                s.zones.erodible_depth;
-     }},
     {"material.table-friction-factor", [](const SceneSpec& s) { return s.friction_table.name.has_value(); }},
     {"material.table-turbulence-factor", [](const SceneSpec& s) { return s.friction_table.name.has_value(); }},
     {"numerics.transfer", [](const SceneSpec& s) { return s.numerics.scheme != Scheme::finite_volume; }},
     {"numerics.particles-per-cell", [](const SceneSpec& s) { return s.numerics.scheme != Scheme::finite_volume; }},
     {"numerics.well-balanced", [](const SceneSpec& s) { return s.numerics.scheme != Scheme::finite_volume; }},
-    {"numerics.flight-angle", [](const SceneSpec& s) { return flight(s.numerics); }},
     {"numerics.flight-clearance", [](const SceneSpec& s) { return flight(s.numerics); }},
-    {"numerics.flight-drag", [](const SceneSpec& s) { return flight(s.numerics); }},
     {"time.stop-change", [](const SceneSpec& s) { return s.time.stop_change > 0; }},
     {"time.stop-momentum", [](const SceneSpec& s) { return s.time.stop_momentum > 0; }},
     {"time.frame-interval", [](const SceneSpec&) { return false; }},

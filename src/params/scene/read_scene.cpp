@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "params/scene/read_scene.h"
 
+#include <fnmatch.h>
+
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -140,25 +142,19 @@ namespace {
 /// Keys of earlier versions, and what to use.
 constexpr std::pair<const char*, const char*> k_gone_keys[] = {
     {"structured.confined-share", "Use structured.confined-fraction"},
-    {"structured.softening", "Use structured.modulus-reduction"},
+    {"structured.softening", "Divide structured.young-modulus and structured.bulk-modulus by it"},
+    {"structured.modulus-reduction", "Divide structured.young-modulus and structured.bulk-modulus by it"},
     {"structured.pore-pressure-share", "Use structured.basal-pore-pressure-fraction"},
     {"entrainment.critical-shear", "Use entrainment.critical-shear-stress"},
     {"entrainment.deposition-shear", "Use entrainment.deposition-shear-stress"},
     {"entrainment.potential-depth", "Use entrainment.erosion-depth-per-stress"},
     {"terrain.resampling", "Remove it: the mean on coarser cells, bilinear on finer ones"},
     {"output.map-legend", "Remove it: colours are in classes"},
-    {"output.classes-max-depth", "Remove it, or set output.classes = to-maximum"},
-    {"output.classes-max-velocity", "Remove it, or set output.classes = to-maximum"},
-    {"output.classes-max-pressure", "Remove it, or set output.classes = to-maximum"},
     {"output.map-organisation", "Write it into output.map-author"},
     {"output.map-background-licence", "Write it into output.map-attribution"},
-    {"hazard.depth-limits", "Write the limits into a scheme of your own, hazard.scheme = FILE.ini"},
-    {"hazard.velocity-limits", "Write the limits into a scheme of your own, hazard.scheme = FILE.ini"},
-    {"hazard.flux-limits", "Write the limits into a scheme of your own, hazard.scheme = FILE.ini"},
-    {"hazard.pressure-limits", "Write the limits into a scheme of your own, hazard.scheme = FILE.ini"},
+    {"hazard.*-limits", "Write the limits into a scheme of your own, hazard.scheme = FILE.ini"},
     {"release.perimeter-layer", "Name it in release.perimeter: FILE|layer=NAME"},
     {"observed.perimeter-layer", "Name it in observed.perimeter: FILE|layer=NAME"},
-    {"scar.perimeter-layer", "Name it in observed.perimeter: FILE|layer=NAME"},
     {"output.names", "Remove it; AvaFrame reads the GeoTIFFs of the result"},
     {"output.view-exaggeration", "Remove it: `frana render --view 3d --exaggeration` draws such a view"},
     {"output.view-background", "Remove it: `frana render --view 3d --plain` draws without a sky"},
@@ -173,11 +169,9 @@ constexpr std::pair<const char*, const char*> k_gone_keys[] = {
     {"structured.earth-pressure", "Remove it: the load beyond the strength is hydrostatic"},
     {"structured.pic-fraction", "Remove it: solids move by increments of the grid's velocity"},
     {"structured.drag-exponent", "Remove it: the drag is quadratic"},
-    {"structured.richardson-zaki", "Remove it: the exponent is 2.4; structured.grain-diameter sets the drag"},
-    {"structured.richardson-zaki-law", "Remove it: the exponent is 2.4; structured.grain-diameter sets the drag"},
+    {"structured.richardson-zaki*", "Remove it: the exponent is 2.4; structured.grain-diameter sets the drag"},
     {"structured.smoothing-velocity", "Remove it: it is 1 m/s; structured.grain-diameter sets the drag"},
-    {"structured.drag-mixing", "Remove it: structured.grain-diameter sets the drag"},
-    {"structured.drag-mixing-exponent", "Remove it: structured.grain-diameter sets the drag"},
+    {"structured.drag-mixing*", "Remove it: structured.grain-diameter sets the drag"},
     {"structured.block-size", "Remove it: blocks are as large as the flow is deep"},
     {"structured.virtual-mass", "Remove it: the law is that of Pudasaini 2012"},
     {"structured.viscosity-growth", "Remove it: it is 10; structured.fluid-viscosity sets the viscosity"},
@@ -185,23 +179,24 @@ constexpr std::pair<const char*, const char*> k_gone_keys[] = {
     {"structured.solids-profile-factor", "Remove it: it is 2; structured.fluid-viscosity sets the stress"},
     {"entrainment.velocity-ratio", "Remove it: it is 1"},
     {"numerics.gravity", "Remove it: it is 9.81 m/s2"},
+    {"numerics.flight-angle", "Remove it: it is 55 degrees"},
+    {"numerics.flight-drag", "Remove it: it is 1"},
+    {"release.slip-shape", "Remove it: the outline decides"},
+    {"release.thickness-crs", "Write the CRS into the raster: gdal_edit.py -a_srs EPSG:..."},
+    {"zones.beyond-dtm", "Remove it: the part on the grid is used"},
     {"time.stop-energy-fraction", "Use time.stop-momentum"},
     {"time.stop-moving-fraction", "Use time.stop-momentum"},
     {"time.stop-window", "Remove it: time.stop-change sets how still the flow must be"},
     {"time.moving-speed", "Remove it: it is 0.1 m/s"},
     {"material.yield-ratio", "Remove it: the root is exact"},
     {"material.yield-regularisation", "Remove it: it is 0.01 1/s"},
-    {"output.classes-arrival-time", "Remove it, or set output.classes = to-maximum"},
-    {"output.classes-max-flux", "Remove it, or set output.classes = to-maximum"},
-    {"output.classes-max-head", "Remove it, or set output.classes = to-maximum"},
-    {"output.classes-strain", "Remove it, or set output.classes = to-maximum"},
-    {"output.classes-error", "Remove it, or set output.classes = to-maximum"}};
+    {"output.classes-*", "Remove it, or set output.classes = to-maximum"}};
 
 }  // namespace
 
 Problem unknown_key(const std::vector<Parameter>& parameters, const std::string& name, const Place& where) {
     for (const auto& [gone, instead] : k_gone_keys)
-        if (name == gone) return {"is no longer a key", where, "", "", instead};
+        if (::fnmatch(gone, name.c_str(), 0) == 0) return {"is no longer a key", where, "", "", instead};
     const std::string nearest = nearest_name(name, names_of(parameters));
     return {"unknown key", where, "", "",
             nearest.empty() ? "`frana params` lists all keys" : "Did you mean " + nearest + "?"};
@@ -230,13 +225,12 @@ std::string without_control_characters(std::string text) {
 
 void SceneReader::use_present_names(KeySource& source) {
     for (IniEntry& entry : source.entries) {
-        const FormerName* const former = former_name(entry.name);
-        if (former == nullptr) {
-            reading_.written.erase(entry.name);
-            continue;
-        }
-        reading_.written[former->now] = former->former;
-        entry.name = former->now;
+        const std::string now = present_name(entry.name);
+        if (now == entry.name)
+            reading_.written.erase(now);
+        else
+            reading_.written[now] = entry.name;
+        entry.name = now;
     }
 }
 

@@ -144,26 +144,6 @@ TEST_F(Command, CheckPrintsWhatWouldRunAndWritesNothing) {
     EXPECT_EQ(files(), before);
 }
 
-TEST_F(Command, CheckForeseesTheTimeOfEachScheme) {
-    const auto schemes = [&](const std::vector<std::string>& more) {
-        std::vector<std::string> check{"check", "scene.ini", "--json"};
-        check.insert(check.end(), more.begin(), more.end());
-        return parse_json(frana(check).out)["run"]["schemes"];
-    };
-    for (const std::string own : {"default", "finite-volume"}) {
-        const Json both = schemes({"--set", "numerics.scheme=" + own});
-        ASSERT_EQ(both.size(), 2U);
-        EXPECT_EQ(both[0]["scheme"], own);
-        EXPECT_EQ(both[1]["scheme"], own == "default" ? "finite-volume" : "default");
-        for (const Json& one : both) EXPECT_GT(one["engine_seconds"], 0) << one;
-    }
-    // An echo has every key, also at its default; what needs particles refuses the other scheme.
-    EXPECT_TRUE(schemes({"--set", "numerics.transfer=auto"})[1]["refused"].is_null());
-    const Json refused = schemes({"--set", "numerics.flight=on"})[1];
-    EXPECT_NE(refused["refused"].get<std::string>().find("numerics.flight"), std::string::npos) << refused;
-    EXPECT_TRUE(refused["engine_seconds"].is_null());
-}
-
 TEST_F(Command, FullDeviceForStandardOutputIsAnError) {
     if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "output.maps=off", "--set",

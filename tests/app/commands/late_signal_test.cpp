@@ -50,7 +50,7 @@ class Late : public Resuming {
     }
 };
 
-TEST_F(Late, SignalLeavesOutPicturesWhichResumingDraws) {
+TEST_F(Late, SignalLeavesOutPicturesWhichRenderDraws) {
     ASSERT_EQ(frana(command("whole", {"--quiet"})).exit_code, 0);
     const Outcome outcome = stop_at("result", "maps/max_depth.png", {SIGTERM});
     EXPECT_EQ(outcome.exit_code, 128 + SIGTERM) << outcome.err;
@@ -61,8 +61,10 @@ TEST_F(Late, SignalLeavesOutPicturesWhichResumingDraws) {
     EXPECT_TRUE(json_lists(summary, "warnings", "left out because of the signal")) << summary;
     EXPECT_EQ(read_text(path("result/max_depth.tif")), read_text(path("whole/max_depth.tif")));
     EXPECT_FALSE(fs::exists(path("result/animation.mp4")));
-    EXPECT_EQ(checkpoints("result").size(), 1U);
-    expect_completed("result");
+    expect_tidy("result");
+    ASSERT_EQ(frana({"render", "result", "--map", "final_depth", "--animation", "result/animation.mp4"}).exit_code, 0);
+    for (const char* file : {"maps/final_depth.png", "animation.mp4"})
+        EXPECT_TRUE(fs::exists(path("result") + "/" + file));
 }
 
 TEST_F(Late, SecondSignalEndsAtOnceAndResumingCompletes) {
@@ -108,72 +110,38 @@ TEST_F(Late, ErrorOfAPictureLeavesAResult) {
     EXPECT_NE(outcome.err.find("maps/max_depth could not be drawn"), std::string::npos) << outcome.err;
     EXPECT_TRUE(fs::exists(path("result/max_depth.tif")) && !fs::exists(path("result/maps/max_depth.png")));
     fs::rename(path("elsewhere.bil"), path("photo.bil"));
-    ASSERT_EQ(frana({"run", "result/scene.ini", "--out", "result", "--resume", "--quiet"}).exit_code, 0);
+    ASSERT_EQ(frana({"render", "result", "--map", "max_depth"}).exit_code, 0);
     EXPECT_TRUE(fs::exists(path("result/maps/max_depth.png")));
 }
 
-TEST_F(Late, ResumingACompleteResultDrawsMissingPictures) {
-    ASSERT_EQ(frana(command("whole", {"--quiet"})).exit_code, 0);
-    fs::copy(path("whole"), path("result"), fs::copy_options::recursive);
+TEST_F(Late, ResumingACompleteResultComputesNothing) {
+    ASSERT_EQ(frana(command("result", {"--quiet"})).exit_code, 0);
     const Outcome complete = frana(command("result", {"--resume"}));
     EXPECT_EQ(complete.exit_code, 0) << complete.err;
     EXPECT_NE(complete.err.find("the result is complete"), std::string::npos) << complete.err;
-    for (const char* name : {"result/maps/max_velocity.png", "result/animation.mp4"}) fs::remove(path(name));
-    fs::remove_all(path("result/charts"));
-    const Outcome drawn = frana(command("result", {"--resume"}));
-    EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
-    EXPECT_NE(drawn.err.find("maps/max_velocity, charts, animation.mp4"), std::string::npos) << drawn.err;
-    expect_same_result("whole", "result");
-    // It is not computed again, also not for another scene, which is reported.
-    const Outcome other = frana(command("result", {"--resume", "--set", "time.end=3"}));
-    EXPECT_EQ(other.exit_code, 2);
-    EXPECT_NE(other.err.find("contains the finished result of another scene: time.end is 3 here and was 4"),
-              std::string::npos)
-        << other.err;
-    write_dtm([](int, int column) { return 301 - 2.5 * column; });
-    const Outcome data = frana(command("result", {"--resume"}));
-    EXPECT_EQ(data.exit_code, 2);
-    EXPECT_NE(data.err.find("of another scene: the content of DTM differs"), std::string::npos) << data.err;
-}
-
-// Files that are damaged or changed are named; a picture that was moved away is drawn again; files that only the run
-// can write, and the list itself, are reported missing.
-TEST_F(Late, ResumingAResultWithDamagedFilesNamesThem) {
-    ASSERT_EQ(frana(command("result", {"--quiet"})).exit_code, 0);
-    const auto refused = [&](const std::string& words) {
-        const Outcome outcome = frana(command("result", {"--resume"}));
+    const auto refused = [&](const std::string& words, const std::vector<std::string>& more = {"--resume"}) {
+        const Outcome outcome = frana(command("result", more));
         EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
         EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
     };
-    for (const std::string name :
-         {"timeseries.csv", "max_pressure.tif", "extent.gpkg", "report.html", "maps/max_velocity.png"}) {
+    // Files that are damaged or gone are named, pictures and styles aside.
+    for (const std::string name : {"timeseries.csv", "max_pressure.tif", "summary.json"}) {
         const std::string before = read_text(path("result/" + name));
         write("result/" + name, before.substr(0, before.size() / 2));
-        refused("files of the result are not as the run wrote them: " + name);
+        refused("missing or not as the run wrote them: " + name);
+        fs::remove(path("result/" + name));
+        refused("missing or not as the run wrote them: " + name);
         write("result/" + name, before);
     }
     write("result/max_depth.qml", "of the user's own");
+    fs::remove(path("result/maps/max_velocity.png"));
     EXPECT_EQ(frana(command("result", {"--resume"})).exit_code, 0);
+    refused("contains the finished result of another scene: time.end is 3 here and was 4",
+            {"--resume", "--set", "time.end=3"});
+    write_dtm([](int, int column) { return 301 - 2.5 * column; });
+    refused("of another scene: the content of DTM differs");
     fs::remove(path("result/manifest.json"));
     refused("is a folder with other files, not a result");
-}
-
-// Only a run can write them: a result without one is not reported as complete.
-TEST_F(Late, ResumingAResultWithMissingFilesNamesThem) {
-    ASSERT_EQ(frana(command("result", {"--quiet"})).exit_code, 0);
-    for (const std::string name : {"report.html", "max_pressure.tif", "timeseries.csv"}) {
-        fs::rename(path("result/" + name), path("away"));
-        fs::remove(path("result/maps/max_velocity.png"));
-        const Outcome outcome = frana(command("result", {"--resume"}));
-        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-        EXPECT_NE(outcome.err.find("files of the result are missing that only a run can write: " + name),
-                  std::string::npos)
-            << outcome.err;
-        EXPECT_EQ(fs::exists(path("result/maps/max_velocity.png")),
-                  name == "report.html");  // files that can be drawn are
-        fs::rename(path("away"), path("result/" + name));
-    }
-    EXPECT_EQ(frana(command("result", {"--resume"})).exit_code, 0);
 }
 
 }  // namespace

@@ -328,8 +328,7 @@ TEST_F(Site, SlipSurfaceIsFittedAndRemovedFromTheGround) {
     EXPECT_GT(deepest, 5.5);
     EXPECT_LT(deepest, 6.0 + 1e-4);
     EXPECT_NE(read_text(path("out/log.txt")).find("ellipsoid, 6 m deep"), std::string::npos);
-    run_with("[release]\nvolume = 7000\ndtm-contains-release = on\nslip-shape = base-level\n", "out",
-             {"release.thickness=slip-surface"});
+    run_with("[release]\nvolume = 7000\ndtm-contains-release = on\n", "out", {"release.thickness=slip-surface"});
     EXPECT_NEAR(summary("initial_m3"), 7000, 1e-8);
 }
 

@@ -50,8 +50,7 @@ TEST_F(PictureFaults, LeaveEverythingElseOfARun) {
     }
     EXPECT_NE(read_text(path("none/report.html")).find("could not be drawn: planted fault"), std::string::npos);
     EXPECT_EQ(read_text(path("none/max_depth.tif")), read_text(path("whole/max_depth.tif")));
-    // It is complete: the same command has nothing to do but to try the pictures.
-    EXPECT_EQ(frana({"run", "scene.ini", "--out", "none", "--resume"}).exit_code, 0);
+    EXPECT_EQ(frana({"render", "none", "--map", "max_depth"}).exit_code, 0);
     EXPECT_TRUE(fs::exists(path("none/maps/max_depth.svg")));
     // A single fault, in one picture after the other until none is left.
     bool met = true;
@@ -105,16 +104,6 @@ TEST_F(PictureFaults, WithoutMapsTheComparisonIsNotDrawn) {
     run(k_voellmy + "[output]\nmaps = off\nanimation = off\n[observed]\nperimeter = scar.geojson\n", "out");
     EXPECT_TRUE(fs::exists(path("out/comparison.tif")));
     EXPECT_FALSE(fs::exists(path("out/comparison.png")));
-}
-
-TEST_F(PictureFaults, OtherPicturesDoNotBindAResume) {
-    run(k_voellmy + "[output]\nmaps = off\nanimation = off\n", "out");
-    const Outcome outcome = frana({"run", "scene.ini", "--out", "out", "--resume", "--set", "output.maps=max_depth",
-                                   "--set", "output.map-size=640x480", "--set", "output.title=Other"});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_TRUE(fs::exists(path("out/maps/max_depth.png")));
-    EXPECT_EQ(frana({"run", "scene.ini", "--out", "out", "--resume", "--set", "output.trace-threshold=0.2"}).exit_code,
-              2);
 }
 
 }  // namespace

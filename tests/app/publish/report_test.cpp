@@ -74,8 +74,8 @@ TEST_F(Report, HasTheAnswerFirstAndOnlyTheKeysUsed) {
               std::string::npos);
     EXPECT_NE(used.find("<tr><td>material.density</td><td>2000 [kg/m³]</td><td>default</td>"), std::string::npos);
     EXPECT_NE(used.find("<td>numerics.minimum-depth</td>"), std::string::npos);
-    for (const std::string key : {"structured.young-modulus", "material.chezy", "entrainment.growth-rate",
-                                  "zones.beyond-dtm", "output.depth-thresholds"})
+    for (const std::string key :
+         {"structured.young-modulus", "material.chezy", "entrainment.growth-rate", "output.depth-thresholds"})
         EXPECT_EQ(used.find("<td>" + key + "</td>"), std::string::npos) << key;
     // Sentences, with the origin of the friction.
     EXPECT_NE(page.find("<td>friction angle</td><td>15° (μ = 0.268)</td><td>scene file</td>"), std::string::npos);

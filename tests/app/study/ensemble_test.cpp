@@ -369,7 +369,7 @@ TEST_F(Ensemble, RunsThatLeaveTheGroundAreTold) {
               std::string::npos);
 }
 
-// Records are known by what they contain: in another order, and in a file each as older versions wrote them.
+// Records are known by what they contain: in another order, and in other files.
 TEST_F(Ensemble, RecordsInFilesOfTheirOwnAndInAnotherOrderAreUsed) {
     write_study("samples = 24\n", k_two_keys);
     ASSERT_EQ(frana({"ensemble", "study.ini", "--out", "whole", "--quiet"}).exit_code, 0);
@@ -378,7 +378,7 @@ TEST_F(Ensemble, RecordsInFilesOfTheirOwnAndInAnotherOrderAreUsed) {
     const std::string bytes = read_text(path(kept.at(5).file));
     const auto record = [&](std::size_t i) { return bytes.substr(kept[i].at, kept[i].size); };
     write(kept[0].file, record(3) + record(1) + record(0));
-    write(fs::path(kept[0].file).replace_filename("record_0000002.frana"), record(2));
+    write(fs::path(kept[0].file).replace_filename("records_00777.frana"), record(2));
     ASSERT_EQ(run({"--resume"}).exit_code, 0);
     EXPECT_NE(read_text(path("out/log.txt")).find("computed 20 members"), std::string::npos);
     expect_same("whole", "out");

@@ -1,24 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "params/keys/parameter.h"
-
 #include <algorithm>
 
-#include "params/keys/scene_parameters.h"
 #include "scene_fixture.h"
 
 namespace frana {
 namespace {
-
-TEST(FormerNames, AreMappedToKeysAndAreNoKeysThemselves) {
-    const std::vector<std::string> keys = names_of(scene_parameters());
-    const auto is_key = [&](const std::string& name) {
-        return std::find(keys.begin(), keys.end(), name) != keys.end();
-    };
-    for (const FormerName& name : former_names()) {
-        EXPECT_TRUE(is_key(name.now)) << name.now;
-        EXPECT_FALSE(is_key(name.former)) << name.former;
-    }
-}
 
 class FormerNamesInScenes : public SceneFixture {};
 

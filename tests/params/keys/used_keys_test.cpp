@@ -47,12 +47,9 @@ TEST(UsedKeys, FollowTheModelAndItsSwitches) {
     EXPECT_FALSE(uses(scene, "output.map-size"));
     EXPECT_FALSE(uses(scene, "terrain.walls")) << "has no value";
     EXPECT_TRUE(uses(scene, "terrain.cell-size", true)) << "chosen";
-    EXPECT_TRUE(uses(scene, "numerics.flight-angle"));
+    EXPECT_TRUE(uses(scene, "numerics.flight-clearance"));
     scene.numerics.flight = false;
-    EXPECT_FALSE(uses(scene, "numerics.flight-angle"));
-    EXPECT_FALSE(uses(scene, "zones.beyond-dtm"));
-    scene.zones.cohesion = SourceSpec{};
-    EXPECT_TRUE(uses(scene, "zones.beyond-dtm"));
+    EXPECT_FALSE(uses(scene, "numerics.flight-clearance"));
     scene.material.model = "structured";
     scene.structured.phases = "solids-and-fluid";
     EXPECT_TRUE(uses(scene, "structured.young-modulus"));

@@ -124,19 +124,6 @@ TEST_F(WithoutDrawing, ARunIsRefusedAndSoItsCheck) {
               0);
 }
 
-TEST_F(WithoutDrawing, AModuleThatIsCutShortIsNamed) {
-    const std::string whole = read_text((built() / "vtk.so").string());
-    for (const std::size_t bytes : {std::size_t{40}, whole.size() / 3, whole.size() - 1}) {
-        write("bin/modules/vtk.so", whole.substr(0, bytes));
-        for (const char* command : {"run", "check"}) {
-            const Outcome outcome =
-                copy({command, "scene.ini", "--set", "output.directory=out", "--set", "output.maps=on"});
-            EXPECT_EQ(outcome.exit_code, 4) << bytes << ": " << outcome.err;
-            EXPECT_NE(outcome.err.find("vtk.so: a part of frana is cut short"), std::string::npos) << outcome.err;
-        }
-    }
-}
-
 TEST_F(WithoutDrawing, AStudyIsRefused) {
     write_study("samples = 4\n", "[set]\noutput.maps = on\n" + k_two_keys);
     expect_named_first({"ensemble", "study.ini", "--out", "out"}, "vtk.so");

@@ -1,0 +1,424 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/publish/map_page.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+#include "analysis/trace.h"
+#include "app/input/share_directory.h"
+#include "app/pictures/map_layer.h"
+#include "app/pictures/map_source.h"
+#include "app/pictures/result_reader.h"
+#include "app/store/result_files.h"
+#include "app/store/vector_layers.h"
+#include "app/text/number_text.h"
+#include "app/text/text_file.h"
+#include "core/error.h"
+#include "core/json.h"
+#include "core/text.h"
+#include "gis/raster/raster_in.h"
+#include "gis/raster/raster_out.h"
+#include "gis/raster/styles.h"
+#include "gis/vector/features_in.h"
+#include "params/keys/result_rasters.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double k_most_cells = 1e6;
+constexpr std::size_t k_most_bytes = 5'500'000;  // of packed cells: with texts and Leaflet below 6 MB
+constexpr double k_of_class = 0.01, k_ground_step = 0.1;
+constexpr std::int64_t k_margin = 8;  // at least, round the flow [cells]
+constexpr int k_lattice = 9;          // places with known degrees along a side
+
+/// The greatest of 1, 2, 5 times a power of ten that is not above a value.
+double step_below(double value) {
+    const double decade = std::pow(10.0, std::floor(std::log10(value) + 1e-9));
+    for (const double factor : {5.0, 2.0})
+        if (factor * decade <= value * (1 + 1e-9)) return factor * decade;
+    return decade;
+}
+
+/// Packs values as share/web/map.js unpacks them.
+std::string packed(const Raster& raster, double step) {
+    const std::size_t count = raster.values.size();
+    std::string planes(4 * count, '\0');
+    for (std::int64_t row = 0; row < raster.grid.rows; ++row) {
+        std::uint32_t last = 0;
+        for (std::int64_t column = 0; column < raster.grid.columns; ++column) {
+            const std::size_t cell = raster.index(row, column);
+            const double value = raster.values[cell];
+            auto steps = std::isfinite(value) ? static_cast<std::int32_t>(std::llround(value / step)) : 0;
+            if (std::isfinite(value) && steps >= 0) ++steps;  // 0: no data
+            const std::uint32_t difference = static_cast<std::uint32_t>(steps) - last;
+            for (std::size_t byte = 0; byte < 4; ++byte)
+                planes[cell + byte * count] = static_cast<char>(difference >> (8 * byte) & 0xffU);
+            last = static_cast<std::uint32_t>(steps);
+        }
+    }
+    uLongf size = compressBound(static_cast<uLong>(planes.size()));
+    std::string bytes(size, '\0');
+    compress2(reinterpret_cast<Bytef*>(bytes.data()), &size, reinterpret_cast<const Bytef*>(planes.data()),
+              static_cast<uLong>(planes.size()), Z_DEFAULT_COMPRESSION);
+    return base64({bytes.data(), size});
+}
+
+/// A raster with one value for blocks of factor x factor cells: the greatest, or the least.
+Raster blocks_of(const Raster& raster, std::int64_t factor, bool least) {
+    if (factor == 1) return raster;
+    GridSpec grid = raster.grid;
+    grid.columns = (grid.columns + factor - 1) / factor;
+    grid.rows = (grid.rows + factor - 1) / factor;
+    grid.cell_size *= static_cast<double>(factor);
+    Raster coarse(grid, k_no_data);
+    for (std::int64_t row = 0; row < raster.grid.rows; ++row)
+        for (std::int64_t column = 0; column < raster.grid.columns; ++column) {
+            double& block = coarse.at(row / factor, column / factor);
+            block = least ? std::fmin(block, raster.at(row, column)) : std::fmax(block, raster.at(row, column));
+        }
+    return coarse;
+}
+
+Json points_json(const std::vector<Point>& points, const GridSpec& grid) {
+    Json json = Json::array();
+    const auto rounded = [](double metres) { return std::round(10 * metres) / 10; };
+    for (const Point& point : points) json.push_back({rounded(point.x - grid.west), rounded(point.y - grid.south())});
+    return json;
+}
+
+Json classes_json(const std::vector<gis::ColourStop>& stops) {
+    Json json = Json::array();
+    for (const gis::ColourStop& stop : stops)
+        json.push_back({{"to", std::isfinite(stop.value) ? Json(stop.value) : Json()},
+                        {"colour", {stop.colour.r, stop.colour.g, stop.colour.b}},
+                        {"label", stop.label}});
+    return json;
+}
+
+class MapPage {
+  public:
+    MapPage(const std::string& folder, const std::string& title, const RunResult* run) : result_(folder) {
+        if (run != nullptr) result_.take_values_of(*run);
+        source_ = result_.map_source();
+        source_.title = title;
+    }
+
+    [[nodiscard]] std::string html() {
+        for (const std::string& name : result_.drawable()) {
+            const MapLayer layer = result_.map_layer(name);
+            if (layer.values.values.is_tiled() || !layer.values.grid.same_cells(result_.grid())) continue;
+            if (!layer.is_ground) include(layer.values);
+        }
+        if (window_.rows <= 0) return {};
+        place_window();
+        Json data{{"language", language_code(words_.language())},
+                  {"crs", source_.crs_label},
+                  {"grid",
+                   {{"columns", grid_.columns},
+                    {"rows", grid_.rows},
+                    {"cell", grid_.cell_size},
+                    {"west", grid_.west},
+                    {"south", grid_.south()}}},
+                  {"words",
+                   {{"maps", words_("Maps")},
+                    {"degrees", words_("Latitude, longitude")},
+                    {"in", words_("Zoom in")},
+                    {"out", words_("Zoom out")}}},
+                  {"degrees", degrees()}};
+        data["ground"] = ground();
+        data["along"] = Json::array();
+        data["layers"] = layers(data["along"]);
+        if (data["layers"].empty()) return {};
+        data["first"] = first_of(data["layers"]);
+        data["frames"] = frames();
+        data["shapes"] = shapes();
+        return page(data);
+    }
+
+  private:
+    void include(const Raster& raster) {
+        std::int64_t row0 = raster.grid.rows, row1 = 0, column0 = raster.grid.columns, column1 = 0;
+        raster.values.for_each_stored([&](std::size_t cell, double value) {
+            if (std::isnan(value)) return;
+            const auto row = static_cast<std::int64_t>(cell) / raster.grid.columns;
+            const auto column = static_cast<std::int64_t>(cell) % raster.grid.columns;
+            row0 = std::min(row0, row);
+            row1 = std::max(row1, row + 1);
+            column0 = std::min(column0, column);
+            column1 = std::max(column1, column + 1);
+        });
+        if (row1 <= row0) return;
+        if (window_.rows > 0) {
+            row0 = std::min(row0, window_.row);
+            row1 = std::max(row1, window_.row + window_.rows);
+            column0 = std::min(column0, window_.column);
+            column1 = std::max(column1, window_.column + window_.columns);
+        }
+        window_ = {row0, column0, row1 - row0, column1 - column0};
+    }
+    /// With the ground round the flow.
+    void place_window() {
+        const GridSpec& all = result_.grid();
+        const std::int64_t margin = k_margin + std::max(window_.rows, window_.columns) / 4;
+        const std::int64_t row = std::max<std::int64_t>(0, window_.row - margin),
+                           column = std::max<std::int64_t>(0, window_.column - margin);
+        window_ = {row, column, std::min(all.rows, window_.row + window_.rows + margin) - row,
+                   std::min(all.columns, window_.column + window_.columns + margin) - column};
+        const auto cells = static_cast<double>(window_.rows) * static_cast<double>(window_.columns);
+        factor_ = static_cast<std::int64_t>(std::ceil(std::sqrt(std::max(1.0, cells / k_most_cells))));
+        grid_ = blocks_of(Raster(part_of(all, window_)), factor_, false).grid;
+    }
+    [[nodiscard]] Raster shown(const Raster& raster, bool least = false) const {
+        return blocks_of(part_of(raster, window_), factor_, least);
+    }
+    /// The cells of a raster with their step; nothing where the page has no room, which `what` tells.
+    [[nodiscard]] std::optional<Json> cells(const Raster& raster, double step, const std::string& what) {
+        std::string text = packed(raster, step);
+        if (bytes_ + text.size() > k_most_bytes) {
+            if (std::find(left_out_.begin(), left_out_.end(), what) == left_out_.end()) left_out_.push_back(what);
+            return std::nullopt;
+        }
+        bytes_ += text.size();
+        return Json{{"step", step}, {"cells", std::move(text)}};
+    }
+    [[nodiscard]] Json ground() {
+        if (!result_.has(raster_file(RasterName::dtm))) return {};
+        const Raster terrain = result_.raster(RasterName::dtm);
+        if (terrain.values.is_tiled() || !terrain.grid.same_cells(result_.grid())) return {};
+        std::optional<Json> json = cells(shown(terrain), k_ground_step, words_("Elevation"));
+        if (json) (*json)["title"] = words_("Elevation");
+        return json ? *json : Json();
+    }
+    /// Degrees change so evenly over a map that nine places along a side give them to a centimetre.
+    [[nodiscard]] Json degrees() const {
+        if (!source_.longitude_latitude) return {};
+        Json json{{"count", k_lattice}, {"longitudes", Json::array()}, {"latitudes", Json::array()}};
+        const Bounds box = grid_.bounds();
+        for (int j = 0; j < k_lattice; ++j)
+            for (int i = 0; i < k_lattice; ++i) {
+                const Point place = source_.longitude_latitude(
+                    {box.west + box.width() * i / (k_lattice - 1), box.south + box.height() * j / (k_lattice - 1)});
+                json["longitudes"].push_back(place.x);
+                json["latitudes"].push_back(place.y);
+            }
+        return json;
+    }
+    /// Title, unit, classes and step of a layer.
+    [[nodiscard]] Json look(const MapLayer& layer) const {
+        Json json{{"name", layer.name},
+                  {"title", layer.legend_title.empty() ? layer.title : layer.legend_title},
+                  {"unit", layer.unit == "-" ? "" : layer.unit}};
+        if (!layer.categories.empty()) {
+            json["exact"] = true;
+            json["classes"] = Json::array();
+            for (const render::ClassLabel& one : layer.categories)
+                json["classes"].push_back(
+                    {{"to", one.value}, {"colour", {one.colour.r, one.colour.g, one.colour.b}}, {"label", one.label}});
+            return json;
+        }
+        json["classes"] = classes_json(gis::class_stops(palette(layer.palette), bounds_of(layer), layer.unit, words_));
+        return json;
+    }
+    static std::vector<double> bounds_of(const MapLayer& layer) {
+        return layer.classes.empty() ? class_bounds(false, maximum(layer.values)) : layer.classes;
+    }
+    /// Classes are exact, other values in hundredths of the least class.
+    static double step_of(const MapLayer& layer) {
+        if (!layer.categories.empty()) return 1;
+        for (const double bound : bounds_of(layer))
+            if (bound > 0) return step_below(k_of_class * bound);
+        return k_of_class;
+    }
+    [[nodiscard]] Json layers(Json& along) {
+        Json all = Json::array();
+        for (const std::string& name : result_.drawable()) {
+            const MapLayer layer = result_.map_layer(name);
+            if (layer.values.values.is_tiled() || !layer.values.grid.same_cells(result_.grid())) continue;
+            Json json = look(layer);
+            const double step = step_of(layer);
+            const auto packed_cells = cells(shown(layer.values, layer.palette == "time"), step, layer.title);
+            if (!packed_cells) continue;
+            json.update(*packed_cells);
+            add_doubt(name, step, json);
+            json["notes"] = layer.notes;
+            if (layer.unit == "m" || layer.unit == "m/s") {
+                std::string unit = layer.unit;
+                std::erase(unit, '/');
+                json["column"] = name + "_" + unit;
+                if (along.size() < 4) along.push_back(name);
+            }
+            all.push_back(std::move(json));
+        }
+        return all;
+    }
+    /// The layer that is shown at first.
+    static std::string first_of(const Json& layers) {
+        for (const char* shown :
+             {RasterName::hazard_degree, RasterName::max_depth, "annual_rate_depth", "probability_depth"})
+            for (const Json& layer : layers)
+                if (const std::string name = layer["name"]; name.starts_with(shown)) return name;
+        return layers.front()["name"];
+    }
+    /// The margin of a chance, the interval of a value: further bands of its file.
+    void add_doubt(const std::string& name, double step, Json& json) {
+        const std::string file = result_.path(raster_file(name));
+        const int bands = gis::read_raster_text(file).bands;
+        const auto add = [&](const char* key, int band) {
+            if (const auto one = cells(shown(gis::read_result_raster(file, band)), step, json["title"]))
+                json[key] = *one;
+        };
+        if (name.starts_with("probability_") || name.starts_with("annual_rate_")) {
+            if (bands > 1) add("margin", 2);
+        } else if (name.starts_with("max_depth_T") || name.starts_with("max_velocity_T")) {
+            if (bands > 2) {
+                add("low", 2);
+                add("high", 3);
+            }
+        }
+    }
+    [[nodiscard]] Json frames() {
+        if (!result_.has(k_frame_list) || result_.frames().empty()) return {};
+        const MapLayer first = result_.map_layer("depth@0");
+        Json json = look(first), list = Json::array();
+        for (const StoredFrame& frame : result_.frames()) {
+            const Raster depth = gis::read_result_raster(frame.raster_file("depth"));
+            if (!depth.grid.same_cells(result_.grid())) return {};
+            std::optional<Json> one = cells(shown(depth), step_of(first), words_("Time"));
+            if (!one) return {};
+            (*one)["time"] = frame.time;
+            list.push_back(std::move(*one));
+        }
+        json["list"] = std::move(list);
+        return json;
+    }
+    [[nodiscard]] Json feature_json(const gis::Feature& feature, const gis::AttributeTitles& titles) const {
+        Json json, rows = Json::array();
+        const auto add = [&](const std::string& column, const std::string& text) {
+            const auto title =
+                std::find_if(titles.begin(), titles.end(), [&](const auto& one) { return one.first == column; });
+            rows.push_back({title == titles.end() ? column : title->second, text});
+        };
+        for (const auto& [column, text] : feature.texts)
+            if (!text.empty()) add(column, text);
+        for (const auto& [column, number] : feature.numbers)
+            if (std::isfinite(number)) add(column, words_.number(number_text(number, 4)));
+        if (const auto reached = feature.numbers.find(k_reached); reached != feature.numbers.end())
+            for (const ExposureLook& one : exposure_looks())
+                if (one.reached == reached->second)
+                    json["colour"] = "rgb(" + std::to_string(one.colour.r) + "," + std::to_string(one.colour.g) + "," +
+                                     std::to_string(one.colour.b) + ")";
+        json["rows"] = std::move(rows);
+        if (!feature.shape.points.empty()) json["points"] = points_json(feature.shape.points, grid_);
+        if (!feature.shape.lines.empty())
+            for (const Polyline& line : feature.shape.lines) json["lines"].push_back(points_json(line, grid_));
+        for (const Polygon& polygon : feature.shape.areas) {
+            Json rings{points_json(polygon.outer, grid_)};
+            for (const Ring& hole : polygon.holes) rings.push_back(points_json(hole, grid_));
+            json["areas"].push_back(std::move(rings));
+        }
+        return json;
+    }
+    [[nodiscard]] Json shapes() const {
+        Json all = Json::array();
+        const gis::AttributeTitles titles = attribute_titles(words_);
+        for (const VectorLayer& row : vector_layers()) {
+            if (row.name == "members" || row.name == "stations" || !result_.has_layer(row.file, row.name)) continue;
+            const std::string file = result_.path(row.file) + "|layer=" + row.name;
+            Json features = Json::array();
+            for (const gis::Feature& feature : gis::read_features(file, "", row.file, "", "").features)
+                if (!feature.shape.empty()) features.push_back(feature_json(feature, titles));
+            if (!all.empty() && all.back()["title"] == layer_title(row, words_)) {  // points, lines and areas are one
+                for (Json& feature : features) all.back()["features"].push_back(std::move(feature));
+                continue;
+            }
+            const bool is_main = row.file != k_outlines_file || row.name == "release" || row.name == "scar";
+            const Rgb colour = row.look.colour;
+            all.push_back({{"title", layer_title(row, words_)},
+                           {"colour", "rgb(" + std::to_string(colour.r) + "," + std::to_string(colour.g) + "," +
+                                          std::to_string(colour.b) + ")"},
+                           {"width", 1 + 2 * row.look.width_mm},
+                           {"dashed", row.look.dashed},
+                           {"visible", is_main},
+                           {"features", std::move(features)}});
+        }
+        return all;
+    }
+    [[nodiscard]] std::string page(const Json& data) const {
+        const auto text = [&](const std::string& english) { return escaped_markup(words_(english)); };
+        const auto part = [](const std::string& path) {
+            std::string bytes = read_text_file(path);
+            if (bytes.empty())
+                throw Error(ErrorKind::environment, Problem{"a part of map.html is missing", path, "", "",
+                                                            "Install frana whole, and Debian's libjs-leaflet"});
+            return bytes;
+        };
+        const auto web = [&](const char* file) { return part(share_directory() + "/web/" + file); };
+        const auto leaflet = [&](const char* file) { return part(std::string(FRANA_LEAFLET "/") + file); };
+        std::string json = data.dump(-1, ' ', false, Json::error_handler_t::replace), notes;
+        for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;) json.replace(at, 1, "\\u003c");
+        if (factor_ > 1)
+            notes +=
+                words_("Cells of {1} m: the greatest value", {words_.number(number_text(grid_.cell_size, 4))}) + ". ";
+        if (!left_out_.empty()) notes += words_.labelled(words_("Left out"), joined(left_out_, ", ")) + ". ";
+        std::string style = leaflet("leaflet.css");  // its pictures are not used
+        for (std::size_t at = 0; (at = style.find("background-image:url(", at)) != std::string::npos;)
+            style.erase(at, style.find(')', at) + 1 - at);
+        return "<!DOCTYPE html>\n<html lang=\"" + language_code(words_.language()) +
+               "\">\n<head>\n<meta charset=\"utf-8\">\n"
+               "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; "
+               "style-src 'unsafe-inline'; img-src data:\">\n"
+               "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+               escaped_markup(source_.title) + "</title>\n<style>" + style + "</style>\n<style>" + web("map.css") +
+               "</style>\n</head>\n<body>\n<header><h1>" + escaped_markup(source_.title) + "</h1><p>" +
+               escaped_markup(scenario_line(source_)) + "</p><p class=\"screen\">" +
+               text(worded("Click the map for values; with the keyboard, Enter asks for its middle.")) +
+               "</p></header>\n<div id=\"map\" tabindex=\"0\" role=\"application\" aria-label=\"" +
+               text(worded("Maps")) + "\"></div>\n<aside>\n<label class=\"screen\">" + text(worded("Maps")) +
+               "<select id=\"layer\"></select></label>\n<fieldset id=\"time\" class=\"screen\"><legend>" +
+               text(worded("Time")) +
+               " <span id=\"time-text\"></span></legend><label><input type=\"range\" id=\"frame\" min=\"0\" "
+               "value=\"0\" "
+               "aria-label=\"" +
+               text(worded("Time")) + "\"></label><button id=\"play\" type=\"button\" aria-pressed=\"false\">" +
+               text(worded("Play")) + "</button></fieldset>\n<div id=\"legend\"></div>\n<label class=\"screen\">" +
+               text(worded("Opacity")) +
+               "<input type=\"range\" id=\"opacity\" min=\"0\" max=\"100\" value=\"75\"></label>\n"
+               "<fieldset id=\"outlines\"><legend>" +
+               text(worded("Outlines")) +
+               "</legend></fieldset>\n<button id=\"line\" type=\"button\" aria-pressed=\"false\">" +
+               text(worded("Values along a line")) + "</button><button id=\"save\" type=\"button\" hidden>" +
+               text(worded("Save as CSV")) +
+               "</button>\n<div id=\"chart\"></div>\n<div id=\"values\" aria-live=\"polite\"></div>\n"
+               "<p class=\"small\">" +
+               escaped_markup(notes + map_sources(source_)) +
+               "</p>\n</aside>\n<script type=\"application/json\" id=\"data\">" + json + "</script>\n<script>" +
+               leaflet("leaflet.min.js") + "</script>\n<script>\n" + web("map.js") + "</script>\n</body>\n</html>\n";
+    }
+
+    ResultReader result_;
+    Words words_ = result_.words();
+    MapSource source_;
+    CellWindow window_{0, 0, 0, 0};
+    std::int64_t factor_ = 1;  ///< of the result's cells along the side of one that is shown
+    GridSpec grid_;            ///< that is shown
+    std::size_t bytes_ = 0;
+    std::vector<std::string> left_out_;
+};
+
+}  // namespace
+
+void write_map_page(const std::string& folder, const std::string& title, const RunResult* run) {
+    const std::string html = MapPage(folder, title, run).html();
+    if (!html.empty()) write_text_file((fs::path(folder) / k_map_page_file).string(), html);
+}
+
+}  // namespace frana::app

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "simulation/result.h"
+
+namespace frana::app {
+
+/// Writes map.html into a result's folder, from the files that are in it: one page without any request, which shows
+/// relief, rasters, outlines and frames, and tells the values at a place and along a line. Values are rounded to a
+/// hundredth of their least class; of more than a million cells round the flow, blocks have their greatest value. Pages
+/// have at most 6 MB: the last layers are left out, and named. Throws Error(environment) also without Leaflet.
+/// @param run whose values are in memory; null: read from the files
+void write_map_page(const std::string& folder, const std::string& title, const RunResult* run = nullptr);
+
+}  // namespace frana::app

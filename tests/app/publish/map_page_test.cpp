@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+// map.html as a browser shows it. Debian: chromium; skipped where it is absent.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "core/json.h"
+#include "core/raster.h"
+#include "gis/raster/raster_in.h"
+#include "support/tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+class MapPage : public TinyScene {
+  protected:
+    void SetUp() override {
+        if (std::system("command -v chromium >/dev/null 2>&1") != 0)
+            GTEST_SKIP() << "chromium (Debian: chromium) is not installed";
+    }
+    void run(const std::string& output, const std::string& more = "") {
+        write_dtm();
+        write_scene("[output]\nmaps = off\nanimation = off\ncharts = off\n" + output + "\n" + more);
+        const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    }
+    /// Opens a copy of the page in which a script ends with `seen = ...`; returns that, and what the console shows.
+    Json seen(const std::string& script, int width = 1200) {
+        const std::string page = text_of(path("result/map.html")), end = "</body>";
+        std::string copy = page;
+        copy.insert(copy.rfind(end),
+                    "<script>(async () => { let seen; const wait = ms => new Promise(done => "
+                    "setTimeout(done, ms)); await wait(300);\n" +
+                        script +
+                        "\ndocument.body.replaceChildren(element('pre', {id: 'seen'}, "
+                        "encodeURIComponent(JSON.stringify(seen)))); })();</script>");
+        std::ofstream(path("copy.html"), std::ios::binary) << copy;
+        const std::string command =
+            "timeout 120 chromium --headless --no-sandbox --disable-gpu --no-first-run "
+            "--disable-background-networking --disable-component-update --disable-sync "
+            "--user-data-dir='" +
+            path("browser") + "' --window-size=" + std::to_string(width) +
+            ",900 --enable-logging=stderr --virtual-time-budget=20000 --dump-dom 'file://" + path("copy.html") +
+            "' >'" + path("dom.html") + "' 2>'" + path("console.txt") + "'";
+        EXPECT_EQ(std::system(command.c_str()), 0);
+        EXPECT_EQ(text_of(path("console.txt")).find("CONSOLE"), std::string::npos) << text_of(path("console.txt"));
+        const std::string dom = text_of(path("dom.html")), tag = "<pre id=\"seen\">";
+        const std::size_t from = dom.find(tag);
+        if (from == std::string::npos) {
+            ADD_FAILURE() << "the script did not end";
+            return {};
+        }
+        return Json::parse(unescaped(dom.substr(from + tag.size(), dom.find('<', from + 1) - from - tag.size())));
+    }
+
+  private:
+    static std::string unescaped(const std::string& text) {
+        std::string plain;
+        for (std::size_t i = 0; i < text.size(); ++i) {
+            if (text[i] == '%') {
+                plain += static_cast<char>(std::stoi(text.substr(i + 1, 2), nullptr, 16));
+                i += 2;
+            } else {
+                plain += text[i];
+            }
+        }
+        return plain;
+    }
+};
+
+/// A click where a finger or a mouse would be, on a place in metres from the south-west corner.
+const std::string k_click =
+    "const click = async (x, y) => { const box = map.getContainer().getBoundingClientRect(); const at = "
+    "map.latLngToContainerPoint([y, x]); const target = document.elementFromPoint(box.left + at.x, box.top + at.y); "
+    "target.dispatchEvent(new MouseEvent('click', {bubbles: true, clientX: box.left + at.x, clientY: box.top + "
+    "at.y})); "
+    "await wait(300); };\nconst rows = () => [...document.querySelectorAll('#values tr')].map(row => "
+    "[...row.children].map(cell => cell.textContent));\n";
+
+TEST_F(MapPage, HasTheValuesOfItsRasters) {
+    run("frames = on");
+    const Json page = seen(
+        "seen = {grid, requests: performance.getEntriesByType('resource').length, layers: []};\n"
+        "for (const one of data.layers) seen.layers.push({name: one.name, step: one.step, values: "
+        "[...await cellsOf(one)].map(value => Number.isNaN(value) ? null : value)});");
+    EXPECT_EQ(page["requests"], 0);
+    ASSERT_GE(page["layers"].size(), 5U);
+    for (const Json& layer : page["layers"]) {
+        const std::string name = layer["name"];
+        const Raster raster = gis::read_result_raster(path("result/" + name + ".tif"));
+        const double step = layer["step"];
+        std::size_t compared = 0;
+        for (std::int64_t row = 0; row < page["grid"]["rows"]; ++row)
+            for (std::int64_t column = 0; column < page["grid"]["columns"]; ++column) {
+                const double east = page["grid"]["west"].get<double>() + (static_cast<double>(column) + 0.5) * k_cell;
+                const double north =
+                    page["grid"]["south"].get<double>() +
+                    (static_cast<double>(page["grid"]["rows"].get<std::int64_t>() - row) - 0.5) * k_cell;
+                const double value = raster.at(static_cast<std::int64_t>((raster.grid.north - north) / k_cell),
+                                               static_cast<std::int64_t>((east - raster.grid.west) / k_cell));
+                const Json& shown =
+                    layer["values"]
+                         [static_cast<std::size_t>(row * page["grid"]["columns"].get<std::int64_t>() + column)];
+                if (std::isnan(value)) {
+                    ASSERT_TRUE(shown.is_null()) << name;
+                } else if (!shown.is_null()) {  // zeros of some maps are blank
+                    ASSERT_NEAR(shown.get<double>(), value, 0.5001 * step) << name;
+                    ++compared;
+                }
+            }
+        EXPECT_GT(compared, 20U) << name;
+    }
+    EXPECT_EQ(page["layers"][0]["name"], "max_depth");
+    EXPECT_LE(page["layers"][0]["step"].get<double>(), 0.01 * 0.2);
+}
+
+TEST_F(MapPage, TellsThePlaceThatIsClicked) {
+    run("frames = on");
+    const Raster depth = gis::read_result_raster(path("result/max_depth.tif"));
+    std::size_t deepest = 0;
+    for (std::size_t cell = 0; cell < depth.values.size(); ++cell)
+        if (depth.values[cell] > 0 && !(depth.values[cell] <= depth.values[deepest])) deepest = cell;
+    const Point place = depth.grid.cell_centre(static_cast<std::int64_t>(deepest) / depth.grid.columns,
+                                               static_cast<std::int64_t>(deepest) % depth.grid.columns);
+    const std::string x = std::to_string(place.x) + " - grid.west", y = std::to_string(place.y) + " - grid.south";
+    const Json page =
+        seen(k_click + "await click(" + x + ", " + y + "); seen = {rows: rows(), popup: " +
+             "document.querySelector('.leaflet-popup-content').textContent, frames: data.frames.list.length};");
+    std::map<std::string, std::string> rows;
+    for (const Json& row : page["rows"]) rows[row[0]] = row[1];
+    EXPECT_NEAR(std::stod(rows["Maximum depth, vertical"]), depth.values[deepest], 0.001001);
+    EXPECT_TRUE(rows["Maximum depth, vertical"].ends_with(" m"));
+    EXPECT_TRUE(rows["Maximum velocity"].ends_with(" m/s"));
+    // EPSG:32632 at these coordinates, by PROJ's cs2cs: 46.0 N, 9.35 E; the middle of the slope is near.
+    double latitude = 0, longitude = 0;
+    ASSERT_EQ(std::sscanf(rows["Latitude, longitude"].c_str(), "%lf, %lf", &latitude, &longitude), 2);
+    EXPECT_NEAR(latitude, 46.0, 0.01);
+    EXPECT_NEAR(longitude, 9.35, 0.01);
+    EXPECT_NE(page["popup"].get<std::string>().find(rows["Maximum depth, vertical"]), std::string::npos);
+    EXPECT_GT(page["frames"].get<int>(), 2);
+}
+
+TEST_F(MapPage, DrawsALineAndPlaysOnAPhone) {
+    run("frames = on");
+    const Json page =
+        seen(k_click +
+                 "seen = {columns: grid.columns, wide: document.documentElement.scrollWidth - "
+                 "document.documentElement.clientWidth};\n"
+                 "const w = grid.columns * grid.cell, h = grid.rows * grid.cell;\n"
+                 "byId('line').click(); await click(0.25 * w, 0.5 * h); await click(0.75 * w, 0.5 * h); "
+                 "byId('line').click(); await wait(300);\n"
+                 "seen.charts = document.querySelectorAll('#chart svg').length;\n"
+                 "const made = []; HTMLAnchorElement.prototype.click = function () { made.push(this.href, "
+                 "this.download); };\n"
+                 "byId('save').click(); seen.csv = decodeURIComponent(made[0].split(',').slice(1).join(',')); "
+                 "seen.name = made[1];\n"
+                 "const pixels = () => shown.toDataURL();\n"
+                 "await showLayer(); seen.greatest = pixels();\n"
+                 "const slider = byId('frame'); slider.value = 0; slider.dispatchEvent(new Event('input')); await "
+                 "wait(300);\n"
+                 "seen.first = pixels(); seen.time = byId('time-text').textContent;\n"
+                 "byId('play').click(); await wait(900); byId('play').click(); seen.later = Number(slider.value);\n"
+                 "choice.selectedIndex = 1; choice.dispatchEvent(new Event('change')); await wait(300); seen.legend "
+                 "= byId('legend').textContent;",
+             500);
+    EXPECT_LE(page["wide"], 0);
+    EXPECT_GE(page["charts"].get<int>(), 3);
+    const std::string csv = page["csv"];
+    EXPECT_TRUE(csv.starts_with("distance_m,x,y,ground_m,max_depth_m,max_velocity_ms")) << csv.substr(0, 100);
+    // A head, and samples half a cell apart over half of the columns.
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2 + page["columns"].get<int>());
+    EXPECT_EQ(page["name"], "line.csv");
+    EXPECT_NE(page["greatest"], page["first"]);
+    EXPECT_EQ(page["time"], "0 s");
+    EXPECT_GT(page["later"].get<int>(), 0);
+    EXPECT_TRUE(page["legend"].get<std::string>().starts_with("Maximum velocity"));
+}
+
+TEST_F(MapPage, ShowsHostileNamesAsText) {
+    const std::string name = "</script><img src=x onerror=alert(1)>\\\"'";
+    run("title = " + name + "\nlanguage = de");
+    const Json page = seen(
+        "seen = {title: document.querySelector('h1').textContent, images: "
+        "document.querySelectorAll('img').length, language: document.documentElement.lang, outlines: "
+        "byId('outlines').textContent};");
+    EXPECT_EQ(page["title"], name);
+    EXPECT_EQ(page["images"], 0);
+    EXPECT_EQ(page["language"], "de");
+    EXPECT_NE(page["outlines"].get<std::string>().find("Anrissgebiet"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace frana::test
