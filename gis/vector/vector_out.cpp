@@ -3,7 +3,9 @@
 
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <set>
 #include <tuple>
@@ -11,6 +13,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/text.h"
+#include "gis/access/file_access.h"
 #include "gis/access/gdal_session.h"
 #include "gis/vector/outline_check.h"
 
@@ -88,6 +91,7 @@ struct Row {
     double measured = 0;                 ///< in the layer's column of measure
     const Numbers* numbers;
     const Texts* texts;
+    std::string look{};  ///< of itself, as GDAL writes styles
 };
 
 struct RowLayer {
@@ -96,6 +100,7 @@ struct RowLayer {
     const char* measure;  ///< its column; null: none
     std::vector<Row> rows;
     StyleText style;
+    std::vector<const char*> options{nullptr};  ///< of the format
 };
 
 std::unique_ptr<OGRLineString> line_of(const Polyline& line) {
@@ -114,7 +119,8 @@ double length_of(const Polyline& line) {
 /// Writes the features with a column for each attribute. GeoPackage reserves two names, and the measure's is used; a
 /// name that is a number in one feature and text in another is a number where it is one. NaN becomes NULL.
 bool write_rows(GDALDataset& dataset, OGRSpatialReference* crs, RowLayer& from) {
-    OGRLayer* const layer = dataset.CreateLayer(from.name.c_str(), crs, from.type, nullptr);
+    OGRLayer* const layer =
+        dataset.CreateLayer(from.name.c_str(), crs, from.type, const_cast<char**>(from.options.data()));
     if (layer == nullptr) return false;
     const auto reserved = [&](const std::string& name) {
         return EQUAL(name.c_str(), "fid") || EQUAL(name.c_str(), "geom") ||
@@ -142,7 +148,9 @@ bool write_rows(GDALDataset& dataset, OGRSpatialReference* crs, RowLayer& from) 
         for (const auto& [name, value] : *row.numbers)
             if (numbers.count(name) > 0 && !std::isnan(value)) feature.SetField(name.c_str(), value);
         for (const auto& [name, value] : *row.texts)
-            if (texts.count(name) > 0) feature.SetField(name.c_str(), valid_utf8(value).c_str());
+            if (texts.count(name) > 0)  // a drawing has its own letters
+                feature.SetField(name.c_str(), (from.type == wkbUnknown ? value : valid_utf8(value)).c_str());
+        if (!row.look.empty()) feature.SetStyleString(row.look.c_str());
         if (row.shape) feature.SetGeometryDirectly(row.shape.release());
         if (layer->CreateFeature(&feature) != OGRERR_NONE) return false;
     }
@@ -275,6 +283,84 @@ void write_lines_and_points(const std::string& gpkg_path, const std::string& crs
                                  &one.numbers, &one.texts});
     }
     write_layers(gpkg_path, crs_wkt, std::move(all));
+}
+
+namespace {
+
+/// A file for other programs.
+struct ExchangeFormat {
+    const char *ending, *driver;
+    std::vector<const char*> options;
+};
+const ExchangeFormat k_exchange_formats[] = {
+    {".shp", "ESRI Shapefile", {"ENCODING=UTF-8", "DBF_DATE_LAST_UPDATE=2000-01-01", nullptr}},  // the same bytes
+    {".kmz", "LIBKML", {nullptr}},
+    {".dxf", "DXF", {nullptr}}};
+
+/// The texts of a placemark, or of an entity of a drawing, whose letters are those of Western Europe.
+Texts exchange_texts(const Zone& zone, bool is_drawing) {
+    Texts texts = zone.feature.texts;
+    texts["Name"] = zone.name;
+    if (!is_drawing) return texts;
+    char* const name = CPLRecode(zone.name.c_str(), CPL_ENC_UTF8, "CP1252");
+    texts = {{"Layer", name}};
+    CPLFree(name);
+    return texts;
+}
+
+/// Rings that nearly touch may cross once their places are rounded to degrees, which KML refuses.
+std::unique_ptr<OGRMultiPolygon> valid_parts(const OGRMultiPolygon& shape) {
+    const GdalSession session;
+    const std::unique_ptr<OGRGeometry> sound(shape.MakeValid());
+    auto parts = std::make_unique<OGRMultiPolygon>();
+    for (const auto& part : polygon_parts(sound ? *sound : static_cast<const OGRGeometry&>(shape)).polygons)
+        if (part->IsValid()) parts->addGeometry(part.get());
+    return parts;
+}
+
+}  // namespace
+
+void write_zones(const std::string& path, const std::string& crs_wkt, const std::vector<Zone>& zones) {
+    const GdalSession session;
+    const std::filesystem::path target(path);
+    const auto& format = *std::find_if(std::begin(k_exchange_formats), std::end(k_exchange_formats),
+                                       [&](const ExchangeFormat& one) { return target.extension() == one.ending; });
+    const bool in_degrees = path.ends_with(".kmz"), is_drawing = path.ends_with(".dxf");
+    OGRSpatialReference crs, degrees;
+    if (!crs_wkt.empty()) crs.importFromWkt(crs_wkt.c_str());
+    degrees.importFromEPSG(4326);
+    for (OGRSpatialReference* one : {&crs, &degrees}) one->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    const std::unique_ptr<OGRCoordinateTransformation> to_degrees(
+        in_degrees ? OGRCreateCoordinateTransformation(&crs, &degrees) : nullptr);
+    RowLayer layer{target.stem().string(), is_drawing ? wkbUnknown : wkbMultiPolygon, nullptr, {}, {}, format.options};
+    std::vector<Texts> texts;
+    for (const Zone& zone : zones) texts.push_back(exchange_texts(zone, is_drawing));
+    const Numbers none;
+    for (std::size_t i = 0; i < zones.size(); ++i) {
+        const std::string colour = hex(zones[i].colour), pen = "PEN(c:" + colour + ",w:2px)";
+        const auto add = [&](std::unique_ptr<OGRGeometry> shape) {
+            layer.rows.push_back({std::move(shape), 0, is_drawing ? &none : &zones[i].feature.numbers, &texts[i],
+                                  is_drawing ? pen : pen + ";BRUSH(fc:" + colour + "80)"});
+        };
+        auto shape = to_ogr(zones[i].feature.parts);
+        if (to_degrees && shape->transform(to_degrees.get()) != OGRERR_NONE)
+            session.refuse_written("the vector file", path);
+        if (to_degrees) shape = valid_parts(*shape);
+        for (const OGRPolygon* polygon : is_drawing ? *shape : OGRMultiPolygon())
+            for (const OGRLinearRing* ring : *polygon)
+                add(std::make_unique<OGRLineString>(*ring));  // hatches are stiff
+        if (!is_drawing) add(std::move(shape));
+    }
+    const MemoryFolder memory;
+    {
+        GDALDriver* const driver = GetGDALDriverManager()->GetDriverByName(format.driver);
+        const GDALDatasetUniquePtr dataset(
+            driver ? driver->Create(memory.place_of(path).c_str(), 0, 0, 0, GDT_Unknown, nullptr) : nullptr);
+        if (!dataset || !write_rows(*dataset, in_degrees ? &degrees : crs_wkt.empty() ? nullptr : &crs, layer))
+            session.refuse_written("the vector file", path);
+    }
+    if (session.failed()) session.refuse_written("the vector file", path);
+    memory.write_to_disk(path);
 }
 
 }  // namespace frana::gis

@@ -57,4 +57,19 @@ void write_lines_and_points(const std::string& gpkg_path, const std::string& crs
 void write_mixed(const std::string& gpkg_path, const std::string& crs_wkt, const std::string& base,
                  const std::vector<Feature>& features, const std::map<Shape, StyleText>& styles);
 
+/// A polygon of a map that people draw.
+struct Zone {
+    PolygonFeature feature;
+    std::string name;  ///< as people read it: of a placemark, of a layer of a drawing
+    Rgb colour{};
+};
+
+/// Writes zones for other programs, by the ending: PATH.shp and the files beside it, PATH.kmz (in degrees of WGS 84),
+/// PATH.dxf (closed lines, a layer for each name; a drawing has no attributes). Throws Error(environment).
+/// @param crs_wkt empty: plain metres, which a KMZ cannot be made of
+void write_zones(const std::string& path, const std::string& crs_wkt, const std::vector<Zone>& zones);
+
+/// The files of a Shapefile.
+inline constexpr const char* k_shapefile_endings[] = {".shp", ".shx", ".dbf", ".prj", ".cpg"};
+
 }  // namespace frana::gis

@@ -42,6 +42,7 @@ std::vector<ExposureValues> exposure_values(const std::vector<std::vector<std::s
         values.depth = greatest_in(*rasters.depth, own);
         values.velocity = greatest_in(*rasters.velocity, own);
         values.pressure = greatest_in(*rasters.pressure, own);
+        if (rasters.momentum != nullptr) values.momentum = greatest_in(*rasters.momentum, own);
         values.arrival = least_in(*rasters.arrival, own);
         if (rasters.terrain != nullptr && !own.empty())
             values.has_ground = std::any_of(own.begin(), own.end(), [&](std::size_t cell) {
@@ -65,6 +66,7 @@ ExposureRow exposure_row(const MixedShape& shape, const ExposureValues& values, 
     add("max_velocity_ms", reached ? values.velocity : 0);
     add("max_pressure_kpa", reached ? values.pressure : 0);
     add("arrival_s", reached ? values.arrival : k_no_data);
+    if (!std::isnan(values.momentum)) add("max_momentum_flux_m3s2", reached ? values.momentum : 0);
     row.texts.emplace_back("place", place_text(shape, row));
     return row;
 }

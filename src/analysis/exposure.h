@@ -16,13 +16,14 @@ namespace frana {
 /// (analysis/touched_cells.h).
 struct ExposureRasters {
     const Raster *depth, *velocity, *pressure, *arrival;
-    const Raster* terrain;  ///< NaN: no elevation; null: all ground is known
+    const Raster* terrain;             ///< NaN: no elevation; null: all ground is known
+    const Raster* momentum = nullptr;  ///< null: nobody asks for it
 };
 
 /// The worst that happens to one feature.
 struct ExposureValues {
     double depth = 0, velocity = 0, pressure = 0;
-    double arrival = k_no_data;
+    double arrival = k_no_data, momentum = k_no_data;  ///< momentum: NaN: nobody asks for it
     bool has_ground = true;
 };
 

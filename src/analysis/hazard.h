@@ -123,6 +123,11 @@ struct HazardScheme {
     std::vector<ProcessMatrix> matrices{};    ///< of the degree of hazard; none: the scheme has no three intensities
     OwnTexts texts{};                         ///< its names in other languages
     double minimum_depth = 0;                 ///< up to which depth makes no class [m]
+    /// Of a zone that people draw: smaller ones, and narrower parts, become part of their neighbours. 200 m2 is what
+    /// the plugin of Ticino for hazard plans begins with (opengisch/pzp, simplify_intensity.py, read); of a width no
+    /// source was.
+    double least_area = 200;  ///< [m2]
+    double least_width = 5;   ///< [m]
 
     /// Whether depths make any of its classes: a depth, an energy head or a deposit.
     [[nodiscard]] bool has_depths() const;

@@ -224,10 +224,16 @@ std::string region_text(const std::string& scene) {
     return "# A region of frana to begin with: `frana batch` runs each polygon of the scene as a slope of its own.\n\n"
            "[region]\nscene = " +
            scene +
-           "\nscheme = finite-volume\n"
-           "# Columns of the polygons: what each is called, and which of several events it is, how rare (years).\n"
-           "# name = COLUMN\n# scenario = COLUMN\n# return-period = COLUMN\n\n[columns]\n"
-           "# Any key of the scene may come from a column.\n# release.volume = COLUMN\n\n"
+           "\nscheme = finite-volume\n# Column of the polygons with what each is called.\n# name = COLUMN\n\n"
+           "# Once for all: the country's scheme, the process whose matrix gives the degree of hazard, the friction.\n"
+           "[set]\n# hazard.scheme = swiss-debris-flow\n# hazard.process = channel-debris-flow\n"
+           "# material.friction-table = ramms-avalanche\n\n"
+           "# Every path in every scenario, whose name is its return period (years); it is also that of the friction.\n"
+           "# A path without a value has no such event.\n"
+           "# [scenario 30]\n# release.thickness = COLUMN\n# [scenario 100]\n# release.thickness = COLUMN\n"
+           "# [scenario 300]\n# release.thickness = COLUMN\n\n"
+           "# Any key of the scene may come from a column, the same in all scenarios.\n# [columns]\n"
+           "# material.turbulence = COLUMN\n\n"
            "# In place of scenarios: how often each slope fails, with which volumes (share/doc/region.md).\n"
            "# [frequency]\n# volumes = M3: YEARS, M3: YEARS\n\n# [vary]\n"
            "# material.friction-angle = triangular(LEAST, LIKELIEST, GREATEST)\n";

@@ -144,14 +144,10 @@ void print_frequency(const study::StudyInput& input) {
 /// Prints the slopes of a region, those that would fail and why.
 void print_slopes(const study::StudyInput& input, const std::vector<SlopePlan>& plans) {
     std::vector<std::pair<std::string, std::string>> failing;
-    std::set<std::string> scenarios;
     std::printf("Slopes\n");
     for (std::size_t i = 0; i < plans.size(); ++i) {
         const study::Slope& slope = input.slopes[i];
         const SlopePlan& plan = plans[i];
-        const auto& years = slope.return_period;
-        if (!slope.scenario.empty())
-            scenarios.insert(slope.scenario + (years ? " (" + shortest_text(*years) + " years)" : ""));
         if (!plan.problem.empty())
             failing.emplace_back(label_of(slope, i), plan.problem);
         else if (i < k_listed)
@@ -164,8 +160,11 @@ void print_slopes(const study::StudyInput& input, const std::vector<SlopePlan>& 
     print_fact("slopes", std::to_string(plans.size()) +
                              (failing.empty() ? "" : ", of which " + std::to_string(failing.size()) + " fail"));
     print_frequency(input);
-    if (!scenarios.empty())
-        print_fact("scenarios", joined(std::vector<std::string>(scenarios.begin(), scenarios.end()), ", "));
+    std::vector<std::string> scenarios;
+    for (const study::Scenario& one : study::scenarios_of(input))
+        scenarios.push_back(one.name +
+                            (one.return_period > 0 ? " (" + shortest_text(one.return_period) + " years)" : ""));
+    if (!scenarios.empty()) print_fact("scenarios", joined(scenarios, ", "));
     for (const study::RegionSpec::Column& one : input.reading.study.region->columns)
         print_fact(one.key, "column " + one.column);
 }
@@ -176,13 +175,16 @@ Json slopes_json(const study::StudyInput& input, const std::vector<SlopePlan>& p
     Json list = Json::array();
     for (std::size_t i = 0; i < plans.size(); ++i) {
         const study::Slope& slope = input.slopes[i];
-        list.push_back({{"member", i},
-                        {"name", text(slope.name)},
-                        {"group", text(slope.group)},
-                        {"scenario", text(slope.scenario)},
-                        {"return_period", slope.return_period ? Json(*slope.return_period) : Json()},
-                        {"area_m2", plans[i].area},
-                        {"problem", text(plans[i].problem)}});
+        list.push_back(
+            {{"member", i},
+             {"name", text(slope.name)},
+             {"group", text(slope.group)},
+             {"scenario", text(slope.scenario)},
+             {"return_period", slope.return_period ? Json(*slope.return_period) : Json()},
+             {"annual_rate", slope.frequency.rate ? Json(slope.frequency.rate->value) : Json()},
+             {"annual_rate_deviation", slope.frequency.rate ? Json(slope.frequency.rate->deviation) : Json()},
+             {"area_m2", plans[i].area},
+             {"problem", text(plans[i].problem)}});
     }
     return list;
 }

@@ -253,6 +253,8 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     prepared.scar = std::move(scar);
     prepared.scene.recording.gauges = std::exchange(extra.gauges, {});
     prepared.scene.recording.sections = std::exchange(extra.sections, {});
+    // What is of one moment is recorded where somebody uses it.
+    if (extra.fragility && extra.fragility->uses(HazardQuantity::momentum)) prepared.scene.recording.intensity = true;
     prepared.extra = std::move(extra);
     prepared.scene.file_volume = prepared.release.file_volume;
     prepared.scene.warnings = log.take_warnings();

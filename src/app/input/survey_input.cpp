@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/input/survey_input.h"
 
+#include "app/input/fragility_input.h"
+
 #include "gis/raster/picture_file.h"
 
 #include <algorithm>
@@ -160,6 +162,7 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std:
                 reading.session.read(gis::read_features, *exposed, grid.crs_wkt, reading.where("output.exposure"),
                                      output.exposure_name.value_or(""), output.exposure_count.value_or(""));
             files.push_back(used_exposed(*exposed, *extra.exposure));
+            if (reading.scene.exposure.fragility) extra.fragility = fragility_of(reading, *extra.exposure, files);
         });
     }
     if (const auto& front = reading.scene.observed.front) {

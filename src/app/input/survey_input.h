@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/fragility.h"
 #include "app/input/used_file.h"
 #include "app/text/run_log.h"
 #include "core/error.h"
@@ -52,6 +53,7 @@ struct ExtraInput {
     std::vector<gis::NamedLine> profiles;
     Survey survey;  ///< without the scar, which is read with the release
     std::optional<gis::FeatureLayer> exposure;
+    std::optional<Fragility> fragility;  ///< of the exposed features
 };
 
 /// Reads them for a working grid. Adds every problem to `problems`, including places outside the grid, and the files

@@ -41,13 +41,14 @@ struct MapLayer {
     std::vector<double> classes;                 ///< bounds, the last may be infinite; empty: from the values
     std::vector<render::ClassLabel> categories;  ///< of a raster of classes
     Raster values;
-    std::optional<render::Dots> dots;  ///< drawn instead of the values, which then only specify place and range
-    bool is_ground = false;            ///< values of all the ground, of which a map shows what the flow reached
-    bool is_surface = false;           ///< thickness: a view shows the surface of the flow
-    std::optional<double> time;        ///< of a raster at one instant [s]
-    std::string source;                ///< "max_depth.tif, band 1"
-    std::vector<std::string> notes;    ///< beside the map, below those of the result
-    bool notes_alone = false;          ///< omits those of the result
+    std::optional<render::Dots> dots;        ///< drawn instead of the values, which then only specify place and range
+    bool is_ground = false;                  ///< values of all the ground, of which a map shows what the flow reached
+    bool is_surface = false;                 ///< thickness: a view shows the surface of the flow
+    std::optional<double> time;              ///< of a raster at one instant [s]
+    std::string source;                      ///< "max_depth.tif, band 1"
+    std::vector<std::string> notes;          ///< beside the map, below those of the result
+    bool notes_alone = false;                ///< omits those of the result
+    std::vector<render::Outline> exposed{};  ///< features of the result by whether the values reach them
 };
 
 /// Reads the first band of a raster. How it is drawn depends on the known names of frana's own files and on the file's

@@ -52,8 +52,10 @@ std::string release_words(const MapSource& source) {
     return elided(valid_utf8(words.labelled(release, joined(source.release_names, ", "))), k_longest);
 }
 
-std::vector<render::Outline> outlines_of(const MapSource& source, bool classes) {
-    std::vector<render::Outline> outlines = source.marks;
+std::vector<render::Outline> outlines_of(const MapSource& source, const MapLayer& layer) {
+    const bool classes = !layer.categories.empty();
+    std::vector<render::Outline> outlines = layer.exposed;
+    outlines.insert(outlines.end(), source.marks.begin(), source.marks.end());
     // Buildings or zones of a whole country do not make the flow a dot.
     if (source.extent.grid.columns > 0)
         for (render::Outline& mark : outlines) mark.frames_map = false;
@@ -112,7 +114,7 @@ Spec furnished(const MapSource& source, const MapLayer& layer) {
     else
         spec.layer = &layer.values;
     spec.extent = source.extent.grid.columns > 0 ? &source.extent : layer.dots ? &layer.values : nullptr;
-    spec.outlines = outlines_of(source, !layer.categories.empty());
+    spec.outlines = outlines_of(source, layer);
     if (!layer.notes_alone) spec.side_notes = source.notes;
     spec.side_notes.insert(spec.side_notes.end(), layer.notes.begin(), layer.notes.end());
     spec.convergence_deg = source.convergence_deg;

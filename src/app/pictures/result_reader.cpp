@@ -15,6 +15,7 @@
 #include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
+#include "app/text/text_table.h"
 #include "app/text/version.h"
 #include "core/error.h"
 #include "core/files.h"
@@ -47,11 +48,24 @@ std::vector<gis::Feature> features_of(const std::string& gpkg, const std::string
     return all;
 }
 
-/// Whether the attribute of a feature is that of a look; NULL is NaN.
-bool has_value(const gis::Feature& feature, double value) {
-    const auto found = feature.numbers.find(k_reached);
-    const double own = found == feature.numbers.end() ? k_no_data : found->second;
-    return own == value || (std::isnan(own) && std::isnan(value));
+/// Whether a feature is reached by what a raster shows: 1, 0, NaN: nobody knows. A map of what is exceeded once in T
+/// years marks what is reached as often, that of a scenario what the scenario reaches.
+double reached_on(const std::string& raster, const gis::Feature& feature) {
+    const auto number = [&](const std::string& name) {
+        const auto found = feature.numbers.find(name);
+        return found == feature.numbers.end() ? k_no_data : found->second;
+    };
+    const double any = number(k_reached);
+    const ResultRaster* const row = find_result_raster(raster);
+    if (row == nullptr || !row->by_value || !(any > 0)) return any;
+    const std::string value = raster.substr(row->of_value("").size());
+    if (row->name.starts_with("scenario_")) {
+        const double depth = number(value + "_max_depth_m");
+        return std::isnan(depth) ? any : static_cast<double>(depth > 0);
+    }
+    const double rate = number("annual_rate_reached"), years = number_from_text(value).value_or(k_no_data);
+    constexpr double k_rounding = 1e-9;
+    return row->joint[0] != '\0' || std::isnan(rate) ? any : static_cast<double>(rate * years >= 1 - k_rounding);
 }
 
 void add(const MixedShape& shape, render::Outline& outline) {
@@ -61,19 +75,19 @@ void add(const MixedShape& shape, render::Outline& outline) {
 }
 
 /// Returns the exposed features of a result for its maps: those that are reached, those that are not, and those of
-/// which the map says nothing, each kind with its number; the reached ones uppermost. Throws Error(input) for a damaged
-/// file.
-/// @param gpkg the result's exposure.gpkg; need not exist
-std::vector<render::Outline> exposure_marks(const std::string& gpkg, const std::string& crs_wkt, const Words& words) {
+/// which the map says nothing, each kind with its number; the reached ones uppermost.
+/// @param raster that the map shows
+std::vector<render::Outline> exposure_marks(const std::vector<gis::Feature>& features, const std::string& raster,
+                                            const Words& words) {
     std::vector<render::Outline> marks;
-    if (!std::filesystem::exists(gpkg)) return marks;
-    const std::vector<gis::Feature> features = features_of(gpkg, crs_wkt);
     const std::vector<ExposureLook>& looks = exposure_looks();
     for (auto look = looks.rbegin(); look != looks.rend(); ++look) {
         render::Outline outline{"", {}, look->colour, look->width_px, look->dashed};
         std::size_t count = 0;
         for (const gis::Feature& one : features) {
-            if (one.shape.empty() || !has_value(one, look->reached)) continue;
+            const double reached = reached_on(raster, one);
+            if (one.shape.empty() || !(reached == look->reached || (std::isnan(reached) && std::isnan(look->reached))))
+                continue;
             add(one.shape, outline);
             ++count;
         }
@@ -177,10 +191,12 @@ void include(Raster& extent, const Raster& more) {
 
 /// Adds the names of the rasters of a row that has one for each value.
 void add_files_of(const ResultRaster& row, const std::string& folder, std::vector<std::string>& names) {
+    const auto first = static_cast<std::ptrdiff_t>(names.size());
     for (const fs::directory_entry& entry : folder_entries(fs::path(folder))) {
         const std::string name = entry.path().stem().string();
         if (entry.path().extension() == ".tif" && find_result_raster(name) == &row) names.push_back(name);
     }
+    std::sort(names.begin() + first, names.end(), precedes);
 }
 
 }  // namespace
@@ -352,6 +368,16 @@ MapLayer ResultReader::particle_layer(const StoredFrame& frame, const ParticleQu
 }
 
 MapLayer ResultReader::map_layer(const std::string& name) const {
+    MapLayer layer = layer_of(name);
+    if (!exposed_) {
+        exposed_.emplace();
+        if (has(k_exposure_file)) attempt([&] { exposed_ = features_of(path(k_exposure_file), grid().crs_wkt); });
+    }
+    layer.exposed = exposure_marks(*exposed_, layer.name, words_);
+    return layer;
+}
+
+MapLayer ResultReader::layer_of(const std::string& name) const {
     const auto at = name.find('@');
     const std::string kind = name.substr(0, at);
     const ParticleQuantity* const of_particles = find_particle_quantity(kind);
@@ -437,7 +463,6 @@ std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) con
             }
         if (!outline.lines.empty()) all.push_back(std::move(outline));
     };
-    attempt([&] { all = exposure_marks(path(k_exposure_file), crs_wkt, words_); });
     areas("terrain.friction-zones", worded("Friction zones"), k_zones, true);
     areas("terrain.obstacles", worded("Obstacles"), k_obstacles, false);
     if (const auto walls = scene_value("terrain.walls"))

@@ -13,6 +13,7 @@
 #include "app/store/frame_store.h"
 #include "app/store/result_files.h"
 #include "core/grid_spec.h"
+#include "gis/vector/features_in.h"
 #include "params/grammar/ini_file.h"
 #include "params/keys/result_rasters.h"
 #include "render/map/map2d.h"
@@ -98,6 +99,8 @@ class ResultReader {
     [[nodiscard]] MapSource map_source(const std::optional<MainStatistics>& statistics = std::nullopt) const;
 
   private:
+    /// As map_layer(), without the exposed features.
+    [[nodiscard]] MapLayer layer_of(const std::string& name) const;
     /// Values of NAME.tif from memory, as the file has them.
     [[nodiscard]] std::optional<Raster> in_memory(const std::string& name) const;
     [[nodiscard]] MapStyle style() const;
@@ -126,12 +129,13 @@ class ResultReader {
         std::filesystem::file_time_type time;
         std::set<std::string> filled;
     };
-    mutable std::map<std::string, Layers> layers_;        ///< by file, read once: opening a GeoPackage takes long
-    mutable std::optional<std::vector<IniEntry>> scene_;  ///< likewise
-    mutable std::optional<std::string> crs_;              ///< of its rasters in memory, likewise
-    mutable std::optional<GridSpec> grid_;                ///< likewise
-    mutable std::vector<StoredFrame> frames_;             ///< likewise
-    mutable std::map<std::string, MapLayer> greatest_;    ///< likewise
+    mutable std::map<std::string, Layers> layers_;              ///< by file, read once: opening a GeoPackage takes long
+    mutable std::optional<std::vector<IniEntry>> scene_;        ///< likewise
+    mutable std::optional<std::string> crs_;                    ///< of its rasters in memory, likewise
+    mutable std::optional<GridSpec> grid_;                      ///< likewise
+    mutable std::vector<StoredFrame> frames_;                   ///< likewise
+    mutable std::map<std::string, MapLayer> greatest_;          ///< likewise
+    mutable std::optional<std::vector<gis::Feature>> exposed_;  ///< likewise
 };
 
 }  // namespace frana::app

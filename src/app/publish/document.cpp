@@ -7,6 +7,7 @@
 
 #include "app/pictures/map_layer.h"
 #include "app/store/result_files.h"
+#include "app/text/text_table.h"
 #include "core/files.h"
 #include "core/text.h"
 #include "params/keys/result_rasters.h"
@@ -101,7 +102,7 @@ std::vector<std::string> pictures_in(const std::string& folder) {
     std::vector<std::string> paths;
     for (const fs::directory_entry& entry : folder_entries(fs::path(folder)))
         if (entry.path().extension() == ".png") paths.push_back(entry.path().string());
-    std::sort(paths.begin(), paths.end());
+    std::sort(paths.begin(), paths.end(), precedes);
     return paths;
 }
 

@@ -177,14 +177,22 @@ std::optional<ExposureTotals> publish_exposure(const Prepared& prepared, const R
     const bool is_known =
         !terrain.values.is_tiled() && terrain.grid.same_cells(result.raster(RasterName::max_depth).grid);
     const ReachedPlaces reached(result);
-    const ExposureRasters rasters{&reached(RasterName::max_depth), &reached(RasterName::max_velocity),
-                                  &reached(RasterName::max_pressure), &reached(RasterName::arrival_time),
-                                  is_known ? &terrain : nullptr};
+    const auto& fragility = prepared.extra.fragility;
+    const bool has_momentum = fragility && fragility->uses(HazardQuantity::momentum);
+    const ExposureRasters rasters{
+        &reached(RasterName::max_depth),    &reached(RasterName::max_velocity),
+        &reached(RasterName::max_pressure), &reached(RasterName::arrival_time),
+        is_known ? &terrain : nullptr,      has_momentum ? &reached(RasterName::max_momentum_flux) : nullptr};
     const auto cells = exposed_cells(*layer, result.raster(RasterName::max_depth).grid);
+    std::vector<ExposureRow> rows =
+        exposure_rows(*layer, exposure_values(cells, rasters), prepared.scene.grid.bounds());
+    const bool is_least = is_open(result, prepared.scene);
+    std::vector<DamageSum> damages;
+    if (fragility) damages.push_back(add_event_damage(*fragility, "", "", is_least, rows));
     ExposureTotals totals =
-        write_exposure(*layer, exposure_rows(*layer, exposure_values(cells, rasters), prepared.scene.grid.bounds()),
-                       prepared.scene.grid.crs_wkt, words_of(prepared.spec), directory);
-    totals.is_least = is_open(result, prepared.scene);
+        write_exposure(*layer, rows, prepared.scene.grid.crs_wkt, words_of(prepared.spec), directory);
+    totals.damages = std::move(damages);
+    totals.is_least = is_least;
     return totals;
 }
 

@@ -35,6 +35,14 @@ std::vector<ReachedFeature> deepest_of(const gis::FeatureLayer& layer, const std
     return reached;
 }
 
+std::string damage_text(const Damage& damage, const Words& words) {
+    const auto number = [&](double value) {
+        return words.number(std::abs(value) < 1000 ? number_text(value, 3) : grouped(value));
+    };
+    const bool is_known = damage.low == damage.value && damage.high == damage.value;
+    return number(damage.value) + (is_known ? "" : " (" + number(damage.low) + " – " + number(damage.high) + ")");
+}
+
 }  // namespace
 
 std::vector<std::vector<std::size_t>> exposed_cells(const gis::FeatureLayer& layer, const GridSpec& grid) {
@@ -50,6 +58,34 @@ std::vector<ExposureRow> exposure_rows(const gis::FeatureLayer& layer, const std
     for (std::size_t i = 0; i < layer.features.size(); ++i)
         rows.push_back(exposure_row(layer.features[i].shape, values[i], map));
     return rows;
+}
+
+std::string DamageSum::title(const Words& words) const {
+    const std::string what =
+        words(name == k_annual_damage ? worded("Expected damage a year") : worded("Expected damage"));
+    return scenario.empty() ? what : scenario + ": " + what;
+}
+
+DamageSum add_damages(const std::string& name, const std::string& scenario, const std::vector<Damage>& damages,
+                      std::vector<ExposureRow>& rows) {
+    DamageSum sum{name, scenario, {}};
+    for (std::size_t f = 0; f < rows.size(); ++f)
+        for (const auto& [ending, part] :
+             {std::pair("", &Damage::value), std::pair("_low", &Damage::low), std::pair("_high", &Damage::high)}) {
+            rows[f].numbers.emplace_back(name + ending, rows[f].is_on_map() ? damages[f].*part : k_no_data);
+            if (rows[f].is_on_map()) sum.damage.*part += damages[f].*part;
+        }
+    return sum;
+}
+
+DamageSum add_event_damage(const Fragility& fragility, const std::string& prefix, const std::string& scenario,
+                           bool is_open, std::vector<ExposureRow>& rows) {
+    std::vector<Damage> all;
+    for (std::size_t f = 0; f < rows.size(); ++f) {
+        const double damage = fragility.damage(f, rows[f].number(prefix + fragility.of(f).by->column));
+        all.push_back({damage, damage, is_open ? fragility.most(f) : damage});
+    }
+    return add_damages(prefix + k_expected_damage, scenario, all, rows);
 }
 
 ExposureTotals write_exposure(const gis::FeatureLayer& layer, const std::vector<ExposureRow>& rows,
@@ -118,6 +154,8 @@ std::string exposure_sentence(const ExposureTotals& totals, ReachedBy by, const 
     if (totals.has_count) text += "; " + words.labelled(words("Count"), least + of(totals.count_reached, totals.count));
     if (totals.off_map > 0)
         text += "; " + words.labelled(words("off the map"), words.number(grouped(static_cast<double>(totals.off_map))));
+    for (const DamageSum& one : totals.damages)
+        text += "; " + words.labelled(one.title(words), damage_text(one.damage, words));
     return text;
 }
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "analysis/hazard.h"
 #include "app/pictures/map_layer.h"
@@ -13,6 +14,7 @@
 #include "gis/raster/footprint.h"
 #include "gis/raster/raster_out.h"
 #include "gis/raster/styles.h"
+#include "gis/vector/generalise.h"
 #include "gis/vector/vector_out.h"
 #include "params/keys/output_parameters.h"
 #include "simulation/run_summary.h"
@@ -58,9 +60,57 @@ void write_raster(const Raster& classes, const ClassMap& map, const std::string&
     gis::write_styles(path, stops_of(map, words), "", gis::StyleKind::exact, titled(map, words));
 }
 
-std::vector<HazardArea> write_zones(const Raster& classes, const ClassMap& map, const std::string& path,
-                                    bool is_lower_bound, const Words& words) {
-    gis::OutlineLayer zones{std::filesystem::path(path).stem().string(), {}};
+/// The attributes of a class, perhaps in a language.
+std::map<std::string, std::string> attributes_of(const HazardClass& kind, const ClassMap& map, const Words* words) {
+    const auto in = [&](const std::string& text) { return words != nullptr ? class_label(text, *words) : text; };
+    return {{"label", in(kind.label())},
+            {"name", in(kind.name)},
+            {"thresholds", in(kind.thresholds)},
+            {"scheme", map.scheme.name},
+            {"source", map.source}};
+}
+
+gis::OutlineLayer class_layer(const std::string& name, const ClassMap& map, const Words& words) {
+    gis::OutlineLayer layer{name, {}};
+    layer.style = gis::titled(gis::polygon_style(name, titled(map, words), "class", stops_of(map, words)),
+                              titled(map, words), attribute_titles(words));
+    return layer;
+}
+
+/// The zones of each class that has some.
+std::vector<gis::Zone> generalised_zones(const Raster& classes, const ClassMap& map, const Words& words,
+                                         std::vector<HazardArea>& areas) {
+    std::vector<MultiPolygon> at_least;
+    for (const HazardClass& kind : map.classes) {
+        Raster mask(classes.grid);
+        classes.values.for_each_stored([&](std::size_t cell, double value) {
+            if (value >= kind.value) mask.values[cell] = 1;
+        });
+        at_least.push_back(gis::polygonise(mask));
+    }
+    // Steps of cells along a slanting edge go.
+    const double tolerance = classes.grid.cell_size / std::numbers::sqrt2;
+    const auto zones = gis::generalised(at_least, {map.scheme.least_area, map.scheme.least_width, tolerance});
+    std::vector<gis::Zone> all;
+    for (std::size_t k = 0; k < zones.size(); ++k) {
+        const HazardClass& kind = map.classes[k];
+        areas[k].zones_m2 = area(zones[k]);
+        for (const Polygon& part : zones[k]) {
+            gis::Zone& zone = all.emplace_back(gis::Zone{{}, words(kind.name), kind.colour});
+            zone.feature.parts = {part};
+            zone.feature.texts = attributes_of(kind, map, &words);
+            zone.feature.numbers = {
+                {"class", kind.value}, {"cells_m2", areas[k].area_m2}, {"zones_m2", areas[k].zones_m2}};
+        }
+    }
+    return all;
+}
+
+std::vector<HazardArea> write_zones(const Raster& classes, const ClassMap& map, const std::string& file,
+                                    bool is_lower_bound, const SceneSpec& spec, const ResultDirectory& directory) {
+    const Words words = words_of(spec);
+    const std::string path = directory.path(file), stem = std::filesystem::path(file).stem().string();
+    gis::OutlineLayer own = class_layer(stem, map, words), drawn = class_layer(k_generalised_layer, map, words);
     std::vector<HazardArea> areas;
     for (const HazardClass& kind : map.classes) {
         PolygonFeature feature;
@@ -69,17 +119,19 @@ std::vector<HazardArea> write_zones(const Raster& classes, const ClassMap& map, 
         if (feature.parts.empty()) continue;
         feature.numbers["class"] = kind.value;
         if (is_lower_bound) feature.numbers[k_lower_bound_column] = 1;
-        feature.texts = {{"label", kind.label()},
-                         {"name", kind.name},
-                         {"thresholds", kind.thresholds},
-                         {"scheme", map.scheme.name},
-                         {"source", map.source}};
-        zones.features.push_back(std::move(feature));
+        feature.texts = attributes_of(kind, map, nullptr);
+        own.features.push_back(std::move(feature));
     }
-    zones.style = gis::titled(gis::polygon_style(zones.name, titled(map, words), "class", stops_of(map, words)),
-                              titled(map, words), attribute_titles(words));
-    gis::write_outlines(path, classes.grid.crs_wkt, {zones});
-    gis::write_style(path, zones.style);
+    std::vector<gis::Zone> zones = generalised_zones(classes, map, words, areas);
+    for (gis::Zone& zone : zones) {
+        if (is_lower_bound) zone.feature.numbers[k_lower_bound_column] = 1;
+        drawn.features.push_back(zone.feature);
+    }
+    gis::write_outlines(path, classes.grid.crs_wkt, {own, drawn});
+    gis::write_style(path, own.style);
+    for (const char* format : k_zone_formats)
+        if (has_format(spec.output, format))
+            gis::write_zones(directory.path(stem + "." + format), classes.grid.crs_wkt, zones);
     return areas;
 }
 
@@ -99,11 +151,10 @@ std::vector<std::string> intensity_limits(const HazardScheme& scheme) {
 }
 
 std::vector<HazardArea> publish_classes(const Raster& classes, const ClassMap& map,
-                                        const std::map<std::string, std::string>& metadata, const Words& words,
+                                        const std::map<std::string, std::string>& metadata, const SceneSpec& spec,
                                         const ResultDirectory& directory) {
-    write_raster(classes, map, directory.path(map.name + ".tif"), words, metadata);
-    if (map.zones_file.empty()) return {};
-    return write_zones(classes, map, directory.path(map.zones_file), metadata.contains(k_lower_bound_item), words);
+    write_raster(classes, map, directory.path(map.name + ".tif"), words_of(spec), metadata);
+    return write_zones(classes, map, map.zones_file, metadata.contains(k_lower_bound_item), spec, directory);
 }
 
 std::vector<HazardArea> publish_hazard(const Prepared& prepared, const RunResult& result,
@@ -113,7 +164,7 @@ std::vector<HazardArea> publish_hazard(const Prepared& prepared, const RunResult
     const Raster classes = intensity_classes(result, *scheme);
     const ClassMap map{k_hazard,       scheme->heading,     scheme->classes,         *scheme,
                        scheme->source, k_hazard_zones_file, scheme->minimum_labels()};
-    return publish_classes(classes, map, result_tags(prepared, result), words_of(prepared.spec), directory);
+    return publish_classes(classes, map, result_tags(prepared, result), prepared.spec, directory);
 }
 
 }  // namespace frana::app

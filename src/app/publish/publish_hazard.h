@@ -14,11 +14,14 @@
 
 namespace frana::app {
 
-/// A class and its area.
+/// A class and its area: that of its cells, and that of its zones as people would draw them; NaN: there are none.
 struct HazardArea {
     HazardClass kind;
-    double area_m2 = 0;
+    double area_m2 = 0, zones_m2 = k_no_data;
 };
+
+/// Layer of a GeoPackage of classes with their generalised zones.
+inline constexpr const char* k_generalised_layer = "generalised";
 
 /// Returns the scheme that a scene names; none without one.
 std::optional<HazardScheme> hazard_scheme_of(const SceneSpec& scene);
@@ -34,13 +37,14 @@ struct ClassMap {
     std::vector<HazardClass> classes;
     HazardScheme scheme;  ///< of the intensities
     std::string source;
-    std::string zones_file;           ///< of a polygon for each class; empty: none
+    std::string zones_file;           ///< of its polygons
     std::vector<std::string> limits;  ///< the least depth, then those of the intensities behind the classes
 };
 
-/// Writes it, its polygons and their styles. Returns the classes' areas. Throws Error(environment).
+/// Writes it, its polygons and their styles; the polygons as the cells have them, and generalised after the scheme, of
+/// which output.formats may ask for other files. Returns the classes' areas. Throws Error(environment).
 std::vector<HazardArea> publish_classes(const Raster& classes, const ClassMap& map,
-                                        const std::map<std::string, std::string>& metadata, const Words& words,
+                                        const std::map<std::string, std::string>& metadata, const SceneSpec& spec,
                                         const ResultDirectory& directory);
 
 /// Writes hazard.tif, hazard_zones.gpkg (one feature per class) and their styles, if the scene names a scheme; also

@@ -297,14 +297,16 @@ Document friction_table(const FrictionByPlace& friction, const std::vector<Frict
 Document hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& areas, const Words& words) {
     const ReportNumbers n(words);
     const std::optional<HazardScheme> scheme = hazard_scheme_of(spec);
-    Table table({words("Class"), "", words("Thresholds"), words("Area") + " [m²]"});
+    Table table({words("Class"), "", words("Thresholds"), words("Area") + " [m²]",
+                 with_unit(words("Area of all generalised zones"), "m²")});
     for (const HazardArea& area : areas) {
         Cell kind = area.kind.name == area.kind.thresholds ? "" : words(area.kind.name);
         kind.swatch = hex(area.kind.colour);
         table.row({std::to_string(area.kind.value),
                    kind,
                    class_label(area.kind.thresholds, words),
-                   {n.grouped(area.area_m2), "n"}});
+                   {n.grouped(area.area_m2), "n"},
+                   {std::isnan(area.zones_m2) ? "" : n.grouped(area.zones_m2), "n"}});
     }
     Document told;
     told.paragraph(words("Scheme") + ".", words(scheme->called) + "; " + words(scheme->source))

@@ -240,7 +240,8 @@ void add_hazard(Json& json, const SummaryFacts& facts) {
         json["hazard"].push_back({{"class", area.kind.value},
                                   {"label", area.kind.name},
                                   {"thresholds", area.kind.thresholds},
-                                  {"area_m2", area.area_m2}});
+                                  {"area_m2", area.area_m2},
+                                  {"zones_m2", std::isnan(area.zones_m2) ? Json() : Json(area.zones_m2)}});
     if (facts.exposure) json["exposure"] = exposure_json(*facts.exposure);
 }
 
@@ -298,12 +299,15 @@ std::int64_t peak_memory_bytes() {
 }
 
 Json exposure_json(const ExposureTotals& totals) {
-    return {{"features", totals.features},
-            {"reached", totals.reached},
-            {"off_map", totals.off_map},
-            {"count", totals.count},
-            {"count_reached", totals.count_reached},
-            {"lower_bound", totals.is_least}};
+    Json json{{"features", totals.features},
+              {"reached", totals.reached},
+              {"off_map", totals.off_map},
+              {"count", totals.count},
+              {"count_reached", totals.count_reached},
+              {"lower_bound", totals.is_least}};
+    for (const DamageSum& one : totals.damages)
+        json[one.name] = {{"value", one.damage.value}, {"low", one.damage.low}, {"high", one.damage.high}};
+    return json;
 }
 
 std::string summary_json(const RunResult& result, const SummaryFacts& facts) {

@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "gis/vector/vector_out.h"
 #include "params/keys/output_parameters.h"
 #include "params/keys/result_rasters.h"
 
@@ -67,6 +68,13 @@ class Table {
         for (const char* ending : k_style_endings) add(FileKind::style, {file.substr(0, file.rfind('.')) + ending});
         return *this;
     }
+    /// Adds a GeoPackage of zones, their style, and their files in the other formats of output.formats.
+    Table& add_zones(const std::string& file) {
+        add(FileKind::vector, {file}).add_styles(file);
+        const std::string stem = file.substr(0, file.rfind('.'));
+        for (const char* ending : gis::k_shapefile_endings) add(FileKind::vector, {stem + ending});
+        return add(FileKind::vector, {stem + ".kmz", stem + ".dxf"});
+    }
     /// Adds the rasters written by the command.
     Table& add_rasters() {
         for (const ResultRaster& row : result_rasters()) {
@@ -105,9 +113,8 @@ std::vector<ResultFile> make_table() {
         table.add(FileKind::working, {folder + "/frames.csv"});
     }
     table.add_rasters();
-    table.add(FileKind::vector,
-              {k_outlines_file, k_profile_lines, k_gauge_places, k_hazard_zones_file, k_exposure_file});
-    table.add_styles(k_hazard_zones_file);
+    table.add(FileKind::vector, {k_outlines_file, k_profile_lines, k_gauge_places, k_exposure_file});
+    table.add_zones(k_hazard_zones_file);
     table.add(FileKind::table, {k_series_file, k_profile_table, k_gauge_table, k_section_table, k_exposure_table});
     table.add(FileKind::page, {k_report_file, k_map_page_file});
     table.add(FileKind::style, {k_project_file});
@@ -127,8 +134,8 @@ std::vector<ResultFile> make_table() {
     table.add(FileKind::vector, {k_member_outlines});
     table.add_rasters().add(FileKind::raster, {std::string(k_member_folder) + "/member_*/*.tif"});
     table.by("batch");
-    table.add(FileKind::text, {k_region_file}).add(FileKind::vector, {k_degree_zones_file});
-    table.add_styles(k_degree_zones_file).add_rasters();
+    table.add(FileKind::text, {k_region_file}).add_zones(k_degree_zones_file);
+    table.add_zones(std::string(k_scenario_intensity) + "*" + k_zones_ending).add_rasters();
     table.by("calibrate");
     table.add(FileKind::table, {k_posterior_table, posterior_of("*")});
     table.add(FileKind::text, {k_calibration_file, k_best_scene, best_scene_of("*")});

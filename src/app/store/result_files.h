@@ -67,6 +67,8 @@ inline constexpr const char* k_exposure_table = "exposure.csv";
 inline constexpr const char* k_exposure_file = "exposure.gpkg";
 inline constexpr const char* k_hazard_zones_file = "hazard_zones.gpkg";
 inline constexpr const char* k_degree_zones_file = "hazard_degree_zones.gpkg";
+/// Of a scenario: scenario_intensity_NAME_zones.gpkg.
+inline constexpr const char *k_scenario_intensity = "scenario_intensity_", *k_zones_ending = "_zones.gpkg";
 /// Item of a raster's metadata: why its values are a lower bound.
 inline constexpr const char* k_lower_bound_item = "LOWER_BOUND";
 /// Items of a raster's metadata, numbered from 1: the limits of the intensities behind its classes.

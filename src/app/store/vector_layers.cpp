@@ -104,9 +104,12 @@ constexpr Attribute k_attributes[] = {
     {"thresholds", worded("Thresholds")},
     {"scheme", worded("Scheme")},
     {"source", worded("Source")},
+    {"zones_m2", worded("Area of all generalised zones"), "m²"},
     {"exposed", worded("Exposed features")},
     {"count", worded("Count")},
     {"reached", worded("Reached (1: yes)")},
+    {"expected_damage", worded("Expected damage")},
+    {"annual_damage", worded("Expected damage a year")},
 };
 
 /// Gives a layer of a file the style of its row.

@@ -150,7 +150,16 @@ struct RegionSpec {
         std::string key, column;
     };
     std::vector<Column> columns;
-    DegreeMatrix degrees;
+    /// An event that every polygon has, by columns of its own: [scenario NAME].
+    struct Event {
+        std::string name;
+        double return_period = 0;  ///< [years]
+        std::vector<Column> columns;
+    };
+    std::vector<Event> events;            ///< by return period; empty: each polygon is one event
+    std::optional<DegreeMatrix> degrees;  ///< none: no degree of hazard follows
+
+    [[nodiscard]] bool has_scenarios() const { return scenario || !events.empty(); }
 };
 
 /// In what a run can differ from what was surveyed.

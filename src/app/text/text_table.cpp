@@ -279,4 +279,21 @@ std::string folded(const std::string& text, std::size_t width) {
     return all;
 }
 
+bool precedes(const std::string& one, const std::string& other) {
+    const auto padded_numbers = [](const std::string& text) {
+        std::string key, digits;
+        for (const char c : text + '\0') {
+            if (c >= '0' && c <= '9') {
+                digits += c;
+                continue;
+            }
+            constexpr std::size_t k_digits = 20;
+            if (!digits.empty() && digits.size() < k_digits) key.append(k_digits - digits.size(), '0');
+            key += std::exchange(digits, {}) + c;
+        }
+        return key;
+    };
+    return padded_numbers(one) < padded_numbers(other);
+}
+
 }  // namespace frana::app

@@ -34,6 +34,9 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t columns);
 /// Pads with spaces to so many columns, on the left if `right`.
 std::string padded(const std::string& text, std::size_t columns, bool right = false);
 
+/// Whether a name comes before another where the numbers in both count as numbers: T30, T100, T300.
+bool precedes(const std::string& one, const std::string& other);
+
 /// A cell of a table.
 struct Cell {
     Cell(std::string words) : text(std::move(words)) {}

@@ -408,6 +408,18 @@ void check_hazard(const HazardSpec& hazard, const std::string& file, Problems& p
             {"needs hazard.scheme", Place(file, "hazard.minimum-depth"), "", "", "Name the scheme, or remove the key"});
 }
 
+void check_exposure(const SceneSpec& scene, const std::string& file, Problems& problems) {
+    const auto needs = [&](const char* key, const std::optional<std::string>& value, const char* other,
+                           bool has_other) {
+        if (value && !has_other)
+            problems.add({std::string("needs ") + other, Place(file, key), *value, "", "Give it, or remove the key"});
+    };
+    const ExposureSpec& exposure = scene.exposure;
+    needs("exposure.fragility", exposure.fragility, "output.exposure", scene.output.exposure.has_value());
+    needs("exposure.value", exposure.value, "exposure.fragility", exposure.fragility.has_value());
+    needs("exposure.class", exposure.kind, "exposure.fragility", exposure.fragility.has_value());
+}
+
 void check_output(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
                   Problems& problems) {
     const OutputSpec& output = scene.output;
@@ -419,6 +431,13 @@ void check_output(const SceneSpec& scene, const std::set<std::string>& given, co
         refuse_formats("particles are written with the frames, but the scene writes none", "Set output.frames = on");
     if (particles && scene.material.model == "structured" && scene.structured.phases == "fluid")
         refuse_formats("fluid alone has no particles", "Remove particles-gpkg");
+    for (const char* format : k_zone_formats) {
+        if (!has_format(output, format)) continue;
+        if (!scene.hazard.scheme)
+            refuse_formats("has a format of zones, and the scene has none", "Name a hazard.scheme");
+        if (scene.terrain.crs == "local" && format == std::string("kmz"))
+            refuse_formats("needs a place on the earth, and terrain.crs = local has none", "Remove kmz");
+    }
     for (const std::string& map : output.maps) {
         const ResultRaster* const row = find_result_raster(raster_of_map(map));
         if (row != nullptr && row->is_produced_by != nullptr && !row->is_produced_by(scene))
@@ -456,6 +475,7 @@ void check_scene(const SceneSpec& scene, const std::set<std::string>& given, con
     check_pores(scene, file, problems);
     check_frames(scene, file, problems);
     check_hazard(scene.hazard, file, problems);
+    check_exposure(scene, file, problems);
     check_density(scene, file, problems);
     check_output(scene, given, file, problems);
 }

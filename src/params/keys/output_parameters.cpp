@@ -155,6 +155,18 @@ void add_hazard(std::vector<Parameter>& list) {
                "output.trace-threshold")));
 }
 
+void add_exposure(std::vector<Parameter>& list) {
+    list.push_back(text("exposure.fragility", FRANA_MEMBER(exposure.fragility), "file",
+                        "CSV with the states of damage of the features of output.exposure, and how likely each is at "
+                        "an intensity: gives the expected damage.",
+                        "no damage"));
+    list.push_back(text("exposure.value", FRANA_MEMBER(exposure.value), "text",
+                        "Column of output.exposure with what each feature is worth.", "each is worth 1"));
+    list.push_back(text("exposure.class", FRANA_MEMBER(exposure.kind), "text",
+                        "Column of output.exposure that names the class of exposure.fragility.",
+                        "the file has one class for all"));
+}
+
 void add_survey(std::vector<Parameter>& list) {
     list.push_back(
         holds("lines or points",

@@ -15,9 +15,15 @@ namespace frana {
 /// Returns the file formats of maps, which are the endings of their files: "png", "pdf", "svg".
 const std::vector<std::string>& picture_formats();
 
+/// Formats of the generalised zones of hazard, besides GeoPackage; also the endings of their files.
+inline constexpr const char* k_zone_formats[] = {"shp", "kmz", "dxf"};
+/// Whether output.formats has a word.
+inline bool has_format(const OutputSpec& output, const std::string& word) {
+    return std::find(output.formats.begin(), output.formats.end(), word) != output.formats.end();
+}
 /// Whether the particles of each frame are written.
 inline bool writes_particles(const OutputSpec& output) {
-    return std::find(output.formats.begin(), output.formats.end(), "particles-gpkg") != output.formats.end();
+    return has_format(output, "particles-gpkg");
 }
 
 /// Adds the keys of [output] for the appearance of maps, views and charts.
@@ -30,6 +36,8 @@ inline constexpr std::int64_t k_largest_whole_map = 1'000'000;
 void add_extra_output(std::vector<Parameter>& list);
 /// Adds the keys of [hazard].
 void add_hazard(std::vector<Parameter>& list);
+/// Adds the keys of [exposure].
+void add_exposure(std::vector<Parameter>& list);
 /// Adds the keys of [scar] for surveyed data besides the outline.
 void add_survey(std::vector<Parameter>& list);
 

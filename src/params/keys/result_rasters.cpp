@@ -90,6 +90,21 @@ void add_frequency(Table& table) {
          "Events a year in which the maximum of depth times speed squared exceeds {} m3/s2");
     rate("annual_rate_intensity", "Annual rate, intensity class ≥ {}",
          "Events a year in which the class of `hazard.scheme` is {} or higher");
+    const auto period = [&](const char* name, const char* title, const char* description) {
+        ResultRaster& row = by_value(name, title, description, "a", "time", k_even);
+        row.bounds = {0, 10, 30, 100, 300, 1000, 3000, k_infinity};
+        row.with_study = row.zero_is_blank = false;
+    };
+    period("return_period_depth", "Return period, depth > {} m",
+           "Years between events in which the maximum depth, vertical, exceeds {} m");
+    period("return_period_velocity", "Return period, speed > {} m/s",
+           "Years between events in which the maximum speed exceeds {} m/s");
+    period("return_period_pressure", "Return period, pressure > {} kPa",
+           "Years between events in which the maximum dynamic pressure exceeds {} kPa");
+    period("return_period_momentum_flux", "Return period, momentum flux > {} m3/s2",
+           "Years between events in which the maximum of depth times speed squared exceeds {} m3/s2");
+    period("return_period_intensity", "Return period, intensity class ≥ {}",
+           "Years between events in which the class of `hazard.scheme` is {} or higher");
     by_value("max_depth_T", "Maximum depth, once in {} years",
              "Maximum depth, vertical, that is exceeded once in {} years", "m", "depth", k_progressive)
         .joint = "";

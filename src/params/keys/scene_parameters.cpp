@@ -307,9 +307,11 @@ void add_numerics(std::vector<Parameter>& list) {
 
 Parameter formats_key() {
     return declare::without(
-        word_list("output.formats", FRANA_MEMBER(output.formats), {}, {"geotiff", "particles-gpkg"},
+        word_list("output.formats", FRANA_MEMBER(output.formats), {},
+                  {"geotiff", "particles-gpkg", "shp", "kmz", "dxf"},
                   "Formats: GeoTIFF is always written; particles-gpkg adds the particles of each frame as GeoPackage "
-                  "points."),
+                  "points; shp, kmz, dxf add the generalised zones of hazard.scheme, of which there is always a "
+                  "GeoPackage."),
         {{"netcdf", "Leave it out: gdal_translate -of netCDF makes it of frames/*.tif"},
          {"zarr", "Leave it out: gdal_translate -of Zarr makes it of frames/*.tif"},
          {"ascii", "Leave it out: gdal_translate -of AAIGrid makes it of a GeoTIFF"},
@@ -358,6 +360,7 @@ void add_rest(std::vector<Parameter>& list) {
     add_pictures(list);
     add_extra_output(list);
     add_hazard(list);
+    add_exposure(list);
 
     list.push_back(declare::holds(
         "polygons", text("observed.perimeter", FRANA_MEMBER(observed.perimeter), "file",
@@ -432,6 +435,7 @@ std::vector<Section> scene_sections() {
         {"time", worded("Simulated time"), "Simulated time, stopping and frames."},
         {"output", worded("Output"), "Output files and pictures."},
         {"hazard", worded("Intensity classes"), "Intensity classes."},
+        {"exposure", worded("Damage"), "Expected damage of the features of output.exposure."},
         {"observed", worded("Survey"), "The surveyed outline to compare with; [scar] is the same section."}};
 }
 

@@ -153,6 +153,11 @@ struct HazardSpec {
     std::optional<double> minimum_depth;   ///< of a class [m]
 };
 
+/// [exposure]: what an event costs the features of output.exposure
+struct ExposureSpec {
+    std::optional<std::string> fragility, value, kind;
+};
+
 /// [observed], of which [scar] is a second name
 struct ObservedSpec {
     std::optional<std::string> perimeter;
@@ -184,6 +189,7 @@ struct SceneSpec {
     TimeSpec time;
     OutputSpec output;
     HazardSpec hazard;
+    ExposureSpec exposure;
     ObservedSpec observed;
     std::map<std::string, Origin> origins;  ///< "section.key" -> source of its value; absent: default
 

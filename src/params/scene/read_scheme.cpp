@@ -31,6 +31,8 @@ class SchemeReader : DataFile {
         scheme.source = scheme.quote.empty() ? k_source_not_read : scheme.named_source;
         if (const auto periods = taken("scheme.return-periods"))
             scheme.periods = rising("scheme.return-periods", *periods);
+        read_least("scheme.least-area", "m2", scheme.least_area);
+        read_least("scheme.least-width", "m", scheme.least_width);
         read_classes(scheme);
         read_matrix(scheme, "");
         for (const std::string process : k_processes) read_matrix(scheme, process);
@@ -40,6 +42,19 @@ class SchemeReader : DataFile {
     }
 
   private:
+    void read_least(const std::string& key, const std::string& unit, double& least) {
+        const auto text = taken(key);
+        if (!text) return;
+        constexpr double k_most = 1e5;
+        const std::vector<std::string> words = words_of(*text);
+        const auto number = words.size() == 2 && words[1] == unit ? number_from_text(words[0]) : std::nullopt;
+        if (number && *number >= 0 && *number <= k_most)
+            least = *number;
+        else
+            refuse("is not a number with its unit", key, *text, "0 to " + shortest_text(k_most) + " " + unit,
+                   "Write for example " + shortest_text(least) + " " + unit);
+    }
+
     Rgb colour(const std::string& key) {
         const std::string text = required(key);
         const bool is_hex = text.size() == 6 && text.find_first_not_of("0123456789abcdefABCDEF") == text.npos;

@@ -84,6 +84,69 @@ TEST_F(Frequency, RatesOfAPileAtRestAreThoseOfItsVolumes) {
     EXPECT_GE(compared, 3);
 }
 
+// A step of fragility breaks what a rate counts: the damage of a year is that rate times the value, with its band; a
+// log-normal curve is the sum of such steps over the hazard curve, which is known in closed form.
+TEST_F(Frequency, DamageOfAPileAtRestIsThatOfItsHazardCurve) {
+    write_dtm([](int, int column) { return 300 - 0.05 * column * k_cell; });
+    write(
+        "houses.geojson",
+        R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "EPSG:32632"}}, "features": [)" +
+            std::string(R"({"type": "Feature", "properties": {"kind": "step", "worth": 1000}, "geometry": )") +
+            R"({"type": "Point", "coordinates": [)" + std::to_string(k_west + 45) + ", " +
+            std::to_string(k_south + 72.5) +
+            R"(]}}, {"type": "Feature", "properties": {"kind": "smooth", "worth": 1000}, )" +
+            R"("geometry": {"type": "Point", "coordinates": [)" + std::to_string(k_west + 45) + ", " +
+            std::to_string(k_south + 72.5) + "]}}]}");
+    write("fragility.csv",
+          "class,state,loss_ratio,quantity,unit,median,beta\nstep,lost,1,depth,m,2,0\nsmooth,lost,1,depth,m,2,0.3\n");
+    write("scene.ini",
+          read_text(path("scene.ini")) +
+              "depth-thresholds = 0.1, 2\nexposure = houses.geojson\n[exposure]\nfragility = fragility.csv\n"
+              "value = worth\nclass = kind\n");
+    write_study("samples = 64\n", "[set]\nmaterial.friction-angle = 45\ntime.end = 1\n" + k_volumes);
+    const Outcome outcome = run();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const gis::Table table = gis::read_table(path("out/exposure.csv"), "exposure");
+    const auto number = [&](std::size_t row, const std::string& name) {
+        const auto column = std::find(table.columns.begin(), table.columns.end(), name) - table.columns.begin();
+        return std::stod(table.rows[row][static_cast<std::size_t>(column)]);
+    };
+    for (const std::string part : {"", "_low", "_high"})
+        EXPECT_NEAR(number(0, "annual_damage" + part) / (1000 * number(0, "annual_rate_depth_2" + part)), 1, 1e-9)
+            << part;
+    double truth = 0;  // integral of the rate above x over d P(x)
+    const auto probability = [](double x) { return 0.5 * std::erfc(-std::log(x / 2) / (0.3 * std::sqrt(2.0))); };
+    constexpr double k_step = 1e-3;
+    for (double x = k_step; x < 6; x += k_step)
+        truth += 1000 * rate_above((x + k_step / 2) * k_release_area) * (probability(x + k_step) - probability(x));
+    EXPECT_LE(number(1, "annual_damage_low"), 1.02 * truth);
+    EXPECT_GE(number(1, "annual_damage_high"), 0.98 * truth);
+    EXPECT_NEAR(number(1, "annual_damage") / truth, 1, 0.1);
+    const Json sum = parse_json(read_text(path("out/summary.json")))["exposure"]["annual_damage"];
+    EXPECT_NEAR(sum["value"].get<double>(), number(0, "annual_damage") + number(1, "annual_damage"), 1e-9);
+    EXPECT_LE(sum["low"].get<double>(), sum["value"].get<double>());
+    EXPECT_LE(sum["high"].get<double>(), number(0, "annual_damage_high") + number(1, "annual_damage_high") + 1e-9);
+    // One over the rate, and its bands turned round.
+    const std::vector<double> rates = band("out/annual_rate_depth_2", 1), margins = band("out/annual_rate_depth_2", 2),
+                              periods = band("out/return_period_depth_2", 1),
+                              low = band("out/return_period_depth_2", 2), high = band("out/return_period_depth_2", 3);
+    int some = 0;
+    for (std::size_t cell = 0; cell < rates.size(); ++cell) {
+        if (!(rates[cell] > 0)) {
+            EXPECT_EQ(periods[cell], -9999) << "never";
+            continue;
+        }
+        ++some;
+        EXPECT_NEAR(periods[cell] * rates[cell], 1, 1e-5);
+        EXPECT_NEAR(low[cell] * (rates[cell] + margins[cell]), 1, 1e-5);
+        if (rates[cell] > margins[cell])
+            EXPECT_NEAR(high[cell] * (rates[cell] - margins[cell]), 1, 1e-4);
+        else
+            EXPECT_EQ(high[cell], -9999);
+    }
+    EXPECT_GT(some, 10);
+}
+
 // Where the flow comes to is a function of the volume: between the greatest that does not come and the least that does.
 TEST_F(Frequency, RatesAtDistancesAreWithinTheirMargins) {
     write_study("samples = 64\nkeep = all\n",

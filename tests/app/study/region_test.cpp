@@ -3,6 +3,7 @@
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <csignal>
 #include <nlohmann/json.hpp>
@@ -458,6 +459,91 @@ TEST_F(Region, AFrictionTableIsReadByTheReturnPeriodOfTheEvent) {
     ASSERT_EQ(batch().exit_code, 0);
     for (const auto& row : members()) EXPECT_EQ(row.at("material.return-period"), row.at("return_period"));
     EXPECT_NE(read_text(path("out/region.ini")).find("material.return-period = YEARS"), std::string::npos);
+}
+
+// Paths with a column for each scenario are, to the bit, polygons with a row for each event.
+TEST_F(Region, PathsTimesScenariosAreTheirEvents) {
+    std::vector<TestSlope> events;
+    for (const auto& [scenario, years, thick] :
+         {std::array{"30", "30", "1"}, std::array{"100", "100", "1.5"}, std::array{"300", "300", "2"}})
+        for (TestSlope path : three()) {
+            if (path.name == "c" && years == std::string("30")) continue;  // it has no such event
+            path.scenario = scenario;
+            path.years = years;
+            path.thickness = thick;
+            events.push_back(path);
+        }
+    write("own.ini", own_scheme("depth > ", "0.3 m", "0.8 m"));
+    write("scene.ini",
+          std::regex_replace(read_text(path("scene.ini")), std::regex("thickness = 1\n"), "") +
+              "report = on\nformats = geotiff, shp, kmz, dxf\nexposure = houses.geojson\n[hazard]\nscheme = own.ini\n");
+    write_houses();
+    write_slopes(events);
+    write_region("return-period = YEARS\n");
+    ASSERT_EQ(batch({}, "events").exit_code, 0);
+    std::vector<TestSlope> paths = three();
+    for (TestSlope& one : paths)
+        one.thickness = std::string(R"(0, "D30": )") + (one.name == "c" ? "null" : "1") + R"(, "D100": 1.5, "D300": 2)";
+    write_slopes(paths);
+    write("region.ini",
+          "[region]\nscene = scene.ini\nname = NAME\n[columns]\nmaterial.friction-coefficient = MU\n"
+          "[scenario 300]\nrelease.thickness = D300\n[scenario 30]\nrelease.thickness = D30\n"
+          "[scenario 100]\nrelease.thickness = D100\n");
+    const Outcome outcome = batch();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Rows rows = members();
+    ASSERT_EQ(rows.size(), 8U);
+    std::string order;
+    for (const auto& row : rows) order += row.at("name") + row.at("return_period") + " ";
+    EXPECT_EQ(order, "a30 a100 a300 b30 b100 b300 c100 c300 ");
+    for (const std::string name : {"scenario_max_depth_30", "scenario_max_velocity_100", "scenario_max_depth_300",
+                                   "scenario_hit_count_30", "hazard_degree", "union_max_depth"}) {
+        const Raster one = raster("out/" + name + ".tif"), other = raster("events/" + name + ".tif");
+        for (std::size_t cell = 0; cell < one.values.size(); ++cell)
+            ASSERT_TRUE(one.values[cell] == other.values[cell] ||
+                        (std::isnan(one.values[cell]) && std::isnan(other.values[cell])))
+                << name << ' ' << cell;
+    }
+    expect_objects_as_maps({"30", "100", "300"});
+    const std::string report = read_text(path("out/report.html"));
+    EXPECT_LT(report.find("30: Intensity"), report.find("100: Intensity"));
+    EXPECT_LT(report.find("100: Intensity"), report.find("300: Intensity"));
+    // The zones of the degree, and of each scenario's intensity.
+    for (const std::string name : {"hazard_degree_zones", "scenario_intensity_300_zones"}) {
+        const gis::PolygonLayer zones =
+            gis::read_polygons(path("out/" + name + ".gpkg|layer=generalised"), "", "zones");
+        EXPECT_FALSE(zones.features.empty()) << name;
+        for (const PolygonFeature& zone : zones.features) EXPECT_GT(zone.numbers.at("cells_m2"), 0);
+        for (const char* ending : {".shp", ".dbf", ".kmz", ".dxf"})
+            EXPECT_TRUE(fs::exists(path("out/" + name + ending))) << name << ending;
+    }
+}
+
+// A step of fragility costs the whole value of each object whose map is above it, scenario by scenario.
+TEST_F(Region, DamageOfAScenarioIsThatOfItsMap) {
+    write_slopes(three());
+    write_houses();
+    write("fragility.csv", "state,loss_ratio,quantity,unit,median,beta\nlost,0.5,depth,m,0.4,0\n");
+    write("scene.ini",
+          read_text(path("scene.ini")) + "exposure = houses.geojson\n[exposure]\nfragility = fragility.csv\n");
+    write_region();
+    const Outcome outcome = batch();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const gis::Table table = gis::read_table(path("out/exposure.csv"), "exposure");
+    const Json exposure = parse_json(read_text(path("out/summary.json")))["exposure"];
+    for (const std::string scenario : {"often", "rare"}) {
+        const Raster depth = raster("out/scenario_max_depth_" + scenario + ".tif");
+        const std::string name = scenario + "_expected_damage";
+        const auto column = std::find(table.columns.begin(), table.columns.end(), name) - table.columns.begin();
+        double sum = 0;
+        for (std::int64_t i = 0; i < k_columns; ++i) {
+            const double expected = depth.at(15, i) > 0.4 ? 0.5 : 0;
+            EXPECT_EQ(std::stod(table.rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(column)]), expected);
+            sum += expected;
+        }
+        EXPECT_GT(sum, 0);
+        EXPECT_NEAR(exposure[name]["value"].get<double>(), sum, 1e-12);
+    }
 }
 
 // The degree in each cell is the worst over the scenarios of the matrix with that scenario's intensity.

@@ -12,7 +12,7 @@ from ..fields import Values
 from ..loading import load_result
 from ..outputs import BATCH, declare
 from ..translation import tr
-from .study import StudyAlgorithm, by_key, section, table
+from .study import StudyAlgorithm, by_key, rows, section, table
 
 _KEEP = ["none", "failed", "all"]
 # Of [region], and [columns]: the parameter, its label, its meaning.
@@ -27,6 +27,13 @@ _COLUMNS = (
 )
 
 
+def _years(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        return float("inf")  # the program says what is wrong with it
+
+
 class BatchAlgorithm(StudyAlgorithm):
     COMMAND = NAME = "batch"
     TITLE = "Run a region of many slopes"
@@ -36,13 +43,21 @@ class BatchAlgorithm(StudyAlgorithm):
             "Columns of the polygons give what differs from slope to slope.")
     TAGS = ("region", "hazard map", "indication map", "exposure")
     FILE = "Region file, instead of the fields"
-    ALSO_FIRST = ("hazard.scheme", "output.trace-threshold", "output.exposure")
+    # What a person chooses once for all slopes, whatever the program calls it.
+    ALSO_FIRST = ("hazard.scheme", "hazard.process", "material.friction-table", "output.trace-threshold", "output.exposure")
     NOT_FIRST = ("observed.perimeter", "numerics.accuracy")
     NAMES = {**StudyAlgorithm.NAMES, "columns": "Other keys from columns",
              **{(name if "." in name else "region." + name): label for name, _, label, _ in _COLUMNS}}
 
     def initAlgorithm(self, configuration: dict[str, Any] | None = None) -> None:  # noqa: N802
         self.add_scene()
+        self.addParameter(table("SCENARIO_TABLE", "Scenarios: return period [years] and column", ["Years", "Column"],
+                                "One row for each scenario, for example 30 and D30: every polygon fails in each of which its "
+                                "column has a value. The return period is also that by which a friction table is read."))
+        what = QgsProcessingParameterEnum("SCENARIO_KEY", "What the columns of the scenarios have (release.thickness)",
+                                          self.scenario_keys(), False, None, True, True)
+        what.setHelp("The key whose value is in these columns.")
+        self.addParameter(what)
         for _, parameter, label, text in _COLUMNS:
             column = QgsProcessingParameterField(parameter, label, None, "release_perimeter", QgsProcessingParameterField.Any,
                                                  False, True)
@@ -60,6 +75,16 @@ class BatchAlgorithm(StudyAlgorithm):
         self.add_result_folder()
         declare(self, BATCH)
 
+    def scenario_keys(self) -> list[str]:
+        """Keys of the release that differ from scenario to scenario: those that a column may give."""
+        return [key.name for key in self.program.keys if key.section == "release" and "attribute:NAME" in key.limits]
+
+    def scenarios(self, values: Values) -> list[str]:
+        """A section for each scenario, from the most frequent."""
+        key = values.word("SCENARIO_KEY") if values.has("SCENARIO_KEY") else "release.thickness"
+        found = sorted(rows(values, "SCENARIO_TABLE", "Scenarios: return period [years] and column"), key=lambda row: _years(row[0]))
+        return [line for years, column in found for line in section(f"scenario {years}", [(key, column)])]
+
     def sections(self, values: Values, folder: str) -> list[str]:
         scene, changed = self.scene(values, folder)
         if not values.has("SCENE") and self.given.layer_of("release.perimeter") is None:
@@ -69,7 +94,7 @@ class BatchAlgorithm(StudyAlgorithm):
         region += [("keep", values.word("KEEP"))] if values.has("KEEP") else []
         columns = [pair for pair in given if "." in pair[0]]
         columns += by_key(values, self.program.keys, "COLUMNS", "Other keys from columns")
-        return [*section("region", region), *changed, *section("columns", columns)]
+        return [*section("region", region), *changed, *section("columns", columns), *self.scenarios(values)]
 
     def processAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext,  # noqa: N802
                          feedback: QgsProcessingFeedback) -> dict[str, Any]:

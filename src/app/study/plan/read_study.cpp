@@ -19,35 +19,6 @@
 
 namespace frana::app::study {
 
-StudySpec StudySpec::of_all_events() const {
-    StudySpec all = *this;
-    for (const EventSpec& event : events) all.vary.insert(all.vary.end(), event.vary.begin(), event.vary.end());
-    return all;
-}
-
-StudySpec StudySpec::of_event(std::size_t event) const {
-    const EventSpec& own = events[event];
-    StudySpec one = *this;
-    one.kind = StudyKind::ensemble;
-    one.events.clear();
-    one.objective.clear();
-    one.scene = own.scene;
-    std::erase_if(one.set, [&](const std::string& shared) {
-        return std::any_of(own.set.begin(), own.set.end(), [&](const std::string& other) {
-            return other.starts_with(shared.substr(0, shared.find('=') + 1));
-        });
-    });
-    one.set.insert(one.set.end(), own.set.begin(), own.set.end());
-    one.vary.insert(one.vary.end(), own.vary.begin(), own.vary.end());
-    return one;
-}
-
-std::size_t StudySpec::first_own_key(std::size_t event) const {
-    std::size_t keys = vary.size();
-    for (std::size_t e = 0; e < event; ++e) keys += events[e].vary.size();
-    return keys;
-}
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -69,7 +40,7 @@ constexpr const char* k_sections[] = {
     "An ensemble has the sections [study], [set], [vary], [correlate] and [frequency]; a calibration, for `frana "
     "calibrate`, also "
     "[objective] and [event NAME]",
-    "A region has the sections [region], [set], [columns], [vary], [correlate] and [frequency]",
+    "A region has the sections [region], [set], [columns], [scenario NAME], or [vary], [correlate] and [frequency]",
     "A calibration has the sections [study], [objective], [set], [vary], [correlate], and for single events [event "
     "NAME], [set NAME], [vary NAME]"};
 
@@ -122,7 +93,9 @@ class StudyReader {
     void add_setting(const std::string& key, const IniEntry& entry, std::vector<std::string>& set);
     void add_variation(const std::string& key, const IniEntry& entry, std::vector<Variation>& vary);
     void add_correlation(const std::string& keys, const IniEntry& entry);
-    void add_column(const std::string& key, const IniEntry& entry);
+    void add_column(const std::string& key, const IniEntry& entry, std::vector<RegionSpec::Column>& columns);
+    void add_scenario(const EntryName& name, const IniEntry& entry);
+    void check_scenarios();
     void add_scenes(const IniEntry& entry);
     void add_event(const std::string& name, const std::string& scene, const IniEntry& entry);
     void add_observation(EventSpec& event, const std::string& key, const IniEntry& entry);
@@ -225,6 +198,7 @@ void StudyReader::add(const IniEntry& entry) {
     const bool is_calibration = is(StudyKind::calibration);
     if (is_calibration && entry.name == "study.scene") return add_scenes(entry);
     if (read_key(entry)) return;
+    if (study_.region && name.section == "scenario" && !name.key.empty()) return add_scenario(name, entry);
     if (name.key.empty() || (!name.event.empty() && !is_calibration)) return refuse_unknown(entry, name);
     if (is_calibration && name.section == "event" && name.key == "scene")
         return add_event(name.event, entry.value, entry);
@@ -237,7 +211,8 @@ void StudyReader::add(const IniEntry& entry) {
     if (is_value && name.section == "set")
         return add_setting(name.key, entry, event != nullptr ? event->set : study_.set);
     if (is_value) return add_variation(name.key, entry, event != nullptr ? event->vary : study_.vary);
-    if (name.event.empty() && name.section == "columns" && study_.region) return add_column(name.key, entry);
+    if (name.event.empty() && name.section == "columns" && study_.region)
+        return add_column(name.key, entry, study_.region->columns);
     if (name.event.empty() && name.section == "correlate") return add_correlation(name.key, entry);
     refuse_unknown(entry, name);
 }
@@ -262,10 +237,10 @@ void StudyReader::refuse_unknown(const IniEntry& entry, const EntryName& name) {
                             : sections);
 }
 
-void StudyReader::add_column(const std::string& key, const IniEntry& entry) {
+void StudyReader::add_column(const std::string& key, const IniEntry& entry, std::vector<RegionSpec::Column>& columns) {
     if (key == "frequency.rate" || key == "frequency.volumes") {
         study_.frequency.by_columns = true;
-        return study_.region->columns.push_back({key, entry.value});
+        return columns.push_back({key, entry.value});
     }
     const std::string name = present_name(key);
     const Parameter* const parameter = scene_key(name, entry);
@@ -275,7 +250,55 @@ void StudyReader::add_column(const std::string& key, const IniEntry& entry) {
     else if (const auto refusal = refusal_to_vary(*parameter))
         refuse(refusal->what, entry, "", refusal->remedy);
     else
-        study_.region->columns.push_back({name, entry.value});
+        columns.push_back({name, entry.value});
+}
+
+void StudyReader::add_scenario(const EntryName& name, const IniEntry& entry) {
+    if (!is_event_name(name.event))
+        return refuse("'" + name.event + "' is not a name of a scenario", entry,
+                      "letters, digits, - and _, " + std::to_string(k_longest_name) + " at most",
+                      "Write [scenario 30]: files of the result contain it");
+    std::vector<RegionSpec::Event>& events = study_.region->events;
+    auto found = std::find_if(events.begin(), events.end(), [&](const auto& one) { return one.name == name.event; });
+    if (found == events.end()) found = events.insert(found, {name.event, number_from_text(name.event).value_or(0), {}});
+    if (name.key != "return-period") return add_column(name.key, entry, found->columns);
+    const auto years = number_from_text(entry.value), of_name = number_from_text(name.event);
+    if (!years || !(*years > 0) || (of_name && *of_name != *years))
+        refuse("is not a number of years, or not that of the name", entry, of_name ? shortest_text(*of_name) : "",
+               "Leave it out where the name says it: [scenario 30]");
+    else
+        found->return_period = *years;
+}
+
+/// Each polygon is one event in each scenario, by the same keys in columns of its own.
+void StudyReader::check_scenarios() {
+    RegionSpec& region = *study_.region;
+    std::sort(region.events.begin(), region.events.end(), [](const auto& a, const auto& b) {
+        return std::pair(a.return_period, a.name) < std::pair(b.return_period, b.name);
+    });
+    const auto keys_of = [](const RegionSpec::Event& event) {
+        std::vector<std::string> keys;
+        for (const RegionSpec::Column& one : event.columns) keys.push_back(one.key);
+        std::sort(keys.begin(), keys.end());
+        return keys;
+    };
+    for (const RegionSpec::Event& event : region.events) {
+        const std::string section = "scenario " + event.name;
+        if (!(event.return_period > 0) && !has_seen(section + ".return-period"))
+            add_problem({"is missing", where(section + ".return-period"), "", "years",
+                         "Give the scenario's return period, or name it by that: [scenario 30]"});
+        if (event.columns.empty())
+            add_problem({"has no column", where(section), "", "",
+                         "Say what differs from scenario to scenario: release.thickness = COLUMN"});
+        else if (keys_of(event) != keys_of(region.events.front()))
+            add_problem({"has other keys than [scenario " + region.events.front().name + "]", where(section),
+                         joined(keys_of(event), ", "), joined(keys_of(region.events.front()), ", "),
+                         "Give every scenario a column for each of them"});
+        for (const std::string& key : keys_of(event))
+            if (has_seen("set." + key) || has_seen("columns." + key))
+                add_problem(
+                    {"is also in [set] or [columns]", where(section + "." + key), "", "", "Keep one of the two"});
+    }
 }
 
 void StudyReader::add_setting(const std::string& key, const IniEntry& entry, std::vector<std::string>& set) {
@@ -374,6 +397,12 @@ void StudyReader::check_scheme(const std::string& event) {
 
 void StudyReader::check_columns() {
     const RegionSpec& region = *study_.region;
+    check_scenarios();
+    if (const bool twice = region.scenario || region.return_period;
+        !region.events.empty() && (twice || study_.frequency.is_given()))
+        add_problem({"contradicts [scenario " + region.events.front().name + "]: an event is told once",
+                     where(twice ? "region.scenario" : "frequency"), region.scenario.value_or(""), "",
+                     "Keep one of the two, or make two regions"});
     if (study_.frequency.is_given()) {
         study_.sampling = Sampling::sobol;
         check_keys(study_, "");

@@ -55,6 +55,9 @@ void require_columns(const RegionSpec& region, const gis::PolygonLayer& layer, c
           std::pair{"region.scenario", region.scenario}, std::pair{"region.return-period", region.return_period}})
         if (column) require(key, *column);
     for (const RegionSpec::Column& one : region.columns) require("columns." + one.key, one.column);
+    for (const RegionSpec::Event& event : region.events)
+        for (const RegionSpec::Column& one : event.columns)
+            require("scenario " + event.name + "." + one.key, one.column);
 }
 
 /// How often a slope fails, by its columns or as all do. @param problem of a value in them
@@ -67,13 +70,15 @@ FrequencySpec frequency_of(const StudySpec& study, const PolygonFeature& feature
         if (text.empty())
             problem = "column " + one.column + " for " + one.key + " has no value";
         else if (refusal)
-            problem = "column " + one.column + " for " + one.key + ": " + text + " " + refusal->what;
+            problem = "column " + one.column + " for " + one.key + ": " + text + " " + refusal->what +
+                      (refusal->remedy.empty() ? "" : ". " + refusal->remedy);
     }
     if (const auto contradiction = vary_volumes(own)) problem = describe(*contradiction);
     return own.frequency;
 }
 
-Slope slope_of(const StudySpec& study, const PolygonFeature& feature) {
+/// @param event null: the columns of the region say which it is
+Slope slope_of(const StudySpec& study, const PolygonFeature& feature, const RegionSpec::Event* event) {
     const RegionSpec& region = *study.region;
     Slope slope;
     slope.frequency = frequency_of(study, feature, slope.problem);
@@ -82,6 +87,11 @@ Slope slope_of(const StudySpec& study, const PolygonFeature& feature) {
     };
     slope.name = word(region.name);
     slope.group = word(region.group);
+    if (event != nullptr) {
+        slope.scenario = event->name;
+        slope.return_period = event->return_period;
+        return slope;
+    }
     slope.scenario = word(region.scenario);
     if (region.scenario && slope.scenario.empty()) slope.problem = "column " + *region.scenario + " has no value";
     if (!region.return_period) return slope;
@@ -117,6 +127,11 @@ void take_friction_period(RegionSpec& region, const FrictionTableSpec& table) {
         region.columns.push_back({k_friction_period, *region.return_period});
 }
 
+/// Whether the events of a region say by which return period its friction table is read.
+bool gives_friction_period(const RegionSpec& region, const FrictionTableSpec& table) {
+    return !region.events.empty() && table.name && !table.return_period;
+}
+
 /// Refuses releases of one return period on the friction of another.
 void require_friction_period(const FrictionTableSpec& table, StudyInput& members) {
     const auto& keys = members.table.keys;
@@ -130,36 +145,76 @@ void require_friction_period(const FrictionTableSpec& table, StudyInput& members
         if (!event || !friction || *event == *friction) continue;
         members.reading.problems.add(
             {"differs from " + std::string(k_friction_period) + ", of member " + std::to_string(i) + " first",
-             members.reading.where("region.return-period"), shortest_text(*event) + " years",
-             shortest_text(*friction) + " years",
+             members.reading.where(members.reading.study.region->events.empty()
+                                       ? "region.return-period"
+                                       : "scenario " + members.slopes[i].scenario + ".return-period"),
+             shortest_text(*event) + " years", shortest_text(*friction) + " years",
              "Leave out " + std::string(k_friction_period) + ": the event's own is taken"});
         return;
     }
 }
 
+/// A slope before its columns are read.
+struct SlopePlace {
+    std::size_t polygon = 0;
+    const RegionSpec::Event* event = nullptr;  ///< null: the region names none
+};
+
+/// The slopes of a layer: its polygons, each in all events of which it has a value, or in the first one that it lacks.
+std::vector<SlopePlace> slopes_in(const gis::PolygonLayer& layer, const RegionSpec& region) {
+    std::vector<SlopePlace> all;
+    for (std::size_t i = 0; i < layer.features.size(); ++i) {
+        const std::size_t before = all.size();
+        for (const RegionSpec::Event& event : region.events)
+            if (std::any_of(event.columns.begin(), event.columns.end(), [&](const RegionSpec::Column& one) {
+                    return text_in(layer.features[i], one.column).has_value();
+                }))
+                all.push_back({i, &event});
+        if (all.size() == before) all.push_back({i, region.events.empty() ? nullptr : &region.events.front()});
+    }
+    return all;
+}
+
 /// Adds the columns of a region to the values of its members.
-void add_columns(const gis::PolygonLayer& layer, StudyInput& members) {
+void add_columns(const gis::PolygonLayer& layer, const std::vector<SlopePlace>& places, bool with_friction_period,
+                 StudyInput& members) {
     const StudySpec& study = members.reading.study;
     const RegionSpec& region = *study.region;
     const std::vector<Parameter>& parameters = scene_parameters();
     const std::string folder = std::filesystem::path(study.file).parent_path().string();
-    for (const RegionSpec::Column& one : region.columns) {
-        if (is_of_frequency(one.key)) continue;
-        members.table.keys.push_back(one.key);
+    const auto columns_at = [&](const RegionSpec::Event* event) {
+        std::vector<RegionSpec::Column> columns = region.columns;
+        std::erase_if(columns, [](const RegionSpec::Column& one) { return is_of_frequency(one.key); });
+        if (event == nullptr) return columns;
+        std::vector<RegionSpec::Column> own = event->columns;  // the same keys in each event
+        std::sort(own.begin(), own.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
+        columns.insert(columns.end(), own.begin(), own.end());
+        return columns;
+    };
+    const auto add_key = [&](const std::string& key) {
+        members.table.keys.push_back(key);
         members.table.nominal.push_back(true);
-    }
-    for (std::size_t i = 0; i < layer.features.size(); ++i) {
-        Slope slope = slope_of(study, layer.features[i]);
-        slope.area = area(layer.features[i].parts);
-        if (!layer.unusable[i].empty()) slope.problem = layer.unusable[i];
-        for (const RegionSpec::Column& one : region.columns) {
-            if (is_of_frequency(one.key)) continue;
-            const auto text = text_in(layer.features[i], one.column);
+    };
+    for (const RegionSpec::Column& one : columns_at(region.events.empty() ? nullptr : &region.events.front()))
+        add_key(one.key);
+    if (with_friction_period) add_key(k_friction_period);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const PolygonFeature& feature = layer.features[places[i].polygon];
+        Slope slope = slope_of(study, feature, places[i].event);
+        slope.polygon = places[i].polygon;
+        slope.area = area(feature.parts);
+        if (!layer.unusable[slope.polygon].empty()) slope.problem = layer.unusable[slope.polygon];
+        const auto add = [&](const std::string& value, double number) {
+            members.table.values[i].push_back(value);
+            members.table.numbers[i].push_back(number);
+        };
+        for (const RegionSpec::Column& one : columns_at(places[i].event)) {
+            const auto text = text_in(feature, one.column);
             if (!text) slope.problem = "column " + one.column + " for " + one.key + " has no value";
-            members.table.values[i].push_back(
-                text ? with_absolute_paths(*find_parameter(parameters, one.key), *text, folder) : "");
-            members.table.numbers[i].push_back(text ? number_from_text(*text).value_or(0) : 0);
+            const Parameter& key = *find_parameter(parameters, one.key);
+            add(text ? with_absolute_paths(key, *text, folder) : "", text ? number_from_text(*text).value_or(0) : 0);
         }
+        if (with_friction_period) add(shortest_text(*slope.return_period), *slope.return_period);
         members.slopes.push_back(std::move(slope));
     }
 }
@@ -229,14 +284,16 @@ void add_polygons(const SceneReading& scene, StudyInput& members) {
         const gis::PolygonLayer layer = gis::read_polygons(*release.perimeter, "", where, choice);
         members.table.keys = {"release.perimeter-filter"};
         members.table.nominal = {true};
-        for (std::size_t i = 0; i < layer.conditions.size(); ++i) {
-            const std::string& condition = layer.conditions[i];
+        const RegionSpec& region = *members.reading.study.region;
+        const std::vector<SlopePlace> places = slopes_in(layer, region);
+        for (const SlopePlace& place : places) {
+            const std::string& condition = layer.conditions[place.polygon];
             members.table.values.push_back({own.empty() ? condition : "(" + own + ") AND " + condition});
-            members.table.numbers.push_back({static_cast<double>(i)});
+            members.table.numbers.push_back({static_cast<double>(place.polygon)});
             members.table.weights.push_back(1);
         }
-        require_columns(*members.reading.study.region, layer, label, problems);
-        add_columns(layer, members);
+        require_columns(region, layer, label, problems);
+        add_columns(layer, places, gives_friction_period(region, scene.scene.friction_table), members);
         require_one_period(members.slopes, label, problems);
         require_friction_period(scene.scene.friction_table, members);
     });
@@ -268,9 +325,10 @@ void find_problems(StudyInput& region) {
 /// Refuses a scheme without intensities, or with several matrices of which hazard.process names none.
 void settle_degree(StudyInput& input) {
     RegionSpec& region = *input.reading.study.region;
-    if (!region.return_period) return;
     const auto scheme = hazard_scheme_of(input.base.spec);
-    if (scheme && has_intensities(*scheme)) {
+    const bool has_degrees = scheme && has_intensities(*scheme);
+    if (!region.return_period && (region.events.empty() || !has_degrees)) return;
+    if (has_degrees) {
         if (const ProcessMatrix* const matrix = scheme->matrix_of(input.base.spec.hazard.process)) {
             region.degrees = matrix->degrees;
             return;
@@ -351,9 +409,9 @@ void prepare_region(StudyInput& input, const std::optional<Problem>& place, RunL
     all.keep_unusable = true;  // those without an area fail alone
     const gis::PolygonLayer layer =
         of_all.session.read(gis::read_polygons, *of_all.scene.release.perimeter, grid.crs_wkt, of_all.where(key), all);
-    for (std::size_t i = 0; i < layer.features.size() && i < input.slopes.size(); ++i) {
-        Slope& slope = input.slopes[i];
-        slope.outline = layer.features[i].parts;
+    for (Slope& slope : input.slopes) {
+        if (slope.polygon >= layer.features.size()) continue;
+        slope.outline = layer.features[slope.polygon].parts;
         const auto thin = thin_volumes(slope.frequency, area(slope.outline), input.reading.where("frequency.volumes"));
         if (thin && slope.problem.empty()) slope.problem = describe(*thin);
     }

@@ -53,7 +53,8 @@ std::optional<ValueProblem> refusal_to_vary(const Parameter& key) {
     if (k_grid.count(name) > 0)
         return ValueProblem{"cannot vary: all members need the same cells, or their maps could not be combined",
                             "Set it in the scene"};
-    if (key.section == "output" || key.section == "observed" || key.section == "hazard" || key.section == "scene")
+    static const std::set<std::string> k_after{"output", "observed", "hazard", "exposure", "scene"};
+    if (k_after.count(key.section) > 0)
         return ValueProblem{"cannot vary: it does not change the flow, only what is written of it",
                             "Set it in the scene"};
     if (name == "numerics.accuracy" || name == "time.frame-interval")

@@ -19,6 +19,7 @@ namespace frana::app::study {
 
 /// What the attributes of a polygon of a region say of it.
 struct Slope {
+    std::size_t polygon = 0;            ///< of the layer
     std::string name, group, scenario;  ///< empty: no such column or no value
     std::optional<double> return_period;
     FrequencySpec frequency;

@@ -442,11 +442,44 @@ std::string study_text(const StudySpec& study) {
     if (study.region && !study.region->columns.empty()) text += "\n[columns]\n";
     if (study.region)
         for (const RegionSpec::Column& one : study.region->columns) text += one.key + " = " + one.column + "\n";
+    for (const RegionSpec::Event& event : study.region ? study.region->events : std::vector<RegionSpec::Event>{}) {
+        text += "\n[scenario " + event.name + "]\nreturn-period = " + shortest_text(event.return_period) + "\n";
+        for (const RegionSpec::Column& one : event.columns) text += one.key + " = " + one.column + "\n";
+    }
     if (!study.correlate.empty()) text += "\n[correlate]\n";
     for (const Correlation& one : study.correlate)
         text += one.first + " " + one.second + " = " + shortest_text(one.rho) + "\n";
     for (const EventSpec& event : study.events) text += event_text(event);
     return text;
+}
+
+StudySpec StudySpec::of_all_events() const {
+    StudySpec all = *this;
+    for (const EventSpec& event : events) all.vary.insert(all.vary.end(), event.vary.begin(), event.vary.end());
+    return all;
+}
+
+StudySpec StudySpec::of_event(std::size_t event) const {
+    const EventSpec& own = events[event];
+    StudySpec one = *this;
+    one.kind = StudyKind::ensemble;
+    one.events.clear();
+    one.objective.clear();
+    one.scene = own.scene;
+    std::erase_if(one.set, [&](const std::string& shared) {
+        return std::any_of(own.set.begin(), own.set.end(), [&](const std::string& other) {
+            return other.starts_with(shared.substr(0, shared.find('=') + 1));
+        });
+    });
+    one.set.insert(one.set.end(), own.set.begin(), own.set.end());
+    one.vary.insert(one.vary.end(), own.vary.begin(), own.vary.end());
+    return one;
+}
+
+std::size_t StudySpec::first_own_key(std::size_t event) const {
+    std::size_t keys = vary.size();
+    for (std::size_t e = 0; e < event; ++e) keys += events[e].vary.size();
+    return keys;
 }
 
 }  // namespace frana::app::study

@@ -35,6 +35,7 @@ Prepared prepared_member(const StudyInput& input, const MemberTask& task, RunLog
     reading.scene.observed = {};  // read once, for the maps
     reading.scene.output.profiles.reset();
     reading.scene.output.exposure.reset();
+    reading.scene.exposure = {};
     Prepared prepared = prepare(reading, log);
     if (const auto filled = filled_warning(input.base.ground); filled && input.reading.study.region)
         prepared.scene.warnings.push_back(*filled);  // known of the whole alone
@@ -43,6 +44,7 @@ Prepared prepared_member(const StudyInput& input, const MemberTask& task, RunLog
         std::erase_if(prepared.scene.warnings,
                       [](const Warning& warning) { return warning.words.pattern() == k_volume_warning; });
     prepared.scene.time.frame_interval = 0;
+    prepared.scene.recording.intensity |= input.base.scene.recording.intensity;  // its exposed features may ask for it
     return prepared;
 }
 
@@ -97,6 +99,8 @@ std::optional<MemberRecord> run_member(const StudyInput& input, const MemberTask
         if (result.stop_reason == StopReason::requested) return std::nullopt;
         RecordExtras extras = record_extras(input.base.spec);
         extras.pressure = extras.pressure || input.reading.study.region || input.base.extra.exposure;
+        const auto& fragility = input.base.extra.fragility;
+        extras.momentum = extras.momentum || (fragility && fragility->uses(HazardQuantity::momentum));
         extras.deposit = input.kept_deposit;
         MemberRecord record = record_of(task.member, result, scene, input.base.spec.output.trace_threshold, extras);
         record.end.warnings = result.warnings;

@@ -97,6 +97,31 @@ double hazard_bound(const AnnualRates& rates, Values runs, double threshold) {
     return fractiles(bound, bound * all.deviation / all.value).second;
 }
 
+Damage mean_damage(const StudyResult& result, std::span<const double> damages, double most) {
+    if (!result.rates) {
+        const Estimate mean = MeanEstimate(result.finished).mean(damages, most);
+        return {mean.value, std::max(0.0, mean.value - mean.margin), std::min(most, mean.value + mean.margin)};
+    }
+    const AnnualRate sum = result.rates->sum(damages, most);
+    const FrequencySpec::Rate all = result.rates->of_all();
+    const double greatest = most * fractiles(all.value, all.deviation).second;
+    if (!(sum.value > 0)) return {0, 0, std::min(sum.margin, greatest)};
+    const auto [low, high] = fractiles(sum.value, sum.margin / k_normal);
+    return {sum.value, low, std::min(high, greatest)};
+}
+
+double damage_bound(const StudyResult& result, std::span<const double> runs, double most) {
+    if (!result.rates) {
+        double sum = 0;
+        for (std::size_t run = 0; run < runs.size(); ++run)
+            sum += result.open.runs.weights[run] * (result.open.is_open[run] ? most : runs[run]);
+        return sum;
+    }
+    const FrequencySpec::Rate all = result.rates->of_all();
+    const double bound = result.rates->bound_of_sum(runs, most);
+    return fractiles(bound, bound * all.deviation / all.value).second;
+}
+
 std::vector<HazardCurve> hazard_curves(const StudyInput& input, const StudyResult& result, bool with_objects) {
     std::vector<HazardCurve> curves;
     const std::vector<CurvePlace> places = curve_places(input, result, with_objects);

@@ -17,7 +17,7 @@ namespace frana::app::study {
 
 namespace {
 
-constexpr const char *k_probability = "probability", *k_rate = "annual_rate";
+constexpr const char *k_probability = "probability", *k_rate = "annual_rate", *k_period = "return_period";
 /// What is exceeded once in so many years, which follow the name.
 constexpr std::pair<Quantity, const char*> k_once_rasters[] = {{Quantity::depth, "max_depth_T"},
                                                                {Quantity::velocity, "max_velocity_T"}};
@@ -62,6 +62,27 @@ std::string rate_name(const std::string& probability) {
     return k_rate + probability.substr(std::string(k_probability).size());
 }
 
+void MapWriter::write_interval(const std::string& name, const Raster& value, const Raster& low, const Raster& high,
+                               const std::string& of_high) const {
+    const gis::RasterBand band = band_of(name, value);
+    write(name, {band,
+                 {low, {name + "_low", "lower end of the interval of 95 %", band.text.unit, metadata_}},
+                 {high, {name + "_high", "upper end of the interval of 95 %; " + of_high, band.text.unit, metadata_}}});
+}
+
+void MapWriter::write_return_period(const std::string& name, const Raster& rate, const Raster& margin,
+                                    const Raster* upper) const {
+    Raster period(rate.grid, k_no_data), low = period, high = period;
+    rate.values.for_each_stored([&](std::size_t cell, double events) {
+        if (!(events > 0)) return;
+        const double more = events + margin.values[cell];
+        period.values[cell] = 1 / events;
+        low.values[cell] = 1 / (upper != nullptr ? std::max(more, std::as_const(*upper).values[cell]) : more);
+        if (events > margin.values[cell]) high.values[cell] = 1 / (events - margin.values[cell]);
+    });
+    write_interval(name, period, low, high, "nodata: none");
+}
+
 RateMaps MapWriter::write_rates(const StudyResult& result, const MappedEvents& events,
                                 const std::vector<double>& periods) const {
     const auto once = std::find_if(std::begin(k_once_rasters), std::end(k_once_rasters),
@@ -69,18 +90,15 @@ RateMaps MapWriter::write_rates(const StudyResult& result, const MappedEvents& e
     const bool has_once = once != std::end(k_once_rasters);
     RateMaps maps = rate_maps(*result.rates, result.finished, result.open.runs, events.quantity, result.grid,
                               events.thresholds, has_once ? periods : std::vector<double>{});
-    for (std::size_t t = 0; t < events.rasters.size(); ++t)
-        write_chance(rate_name(events.rasters[t]), {maps.rate[t], maps.margin[t]},
-                     maps.upper.empty() ? nullptr : &maps.upper[t]);
-    for (std::size_t i = 0; i < maps.once.size(); ++i) {
-        const std::string name = once->second + shortest_text(periods[i]);
-        const gis::RasterBand band = band_of(name, maps.once[i].value);
-        write(name,
-              {band,
-               {maps.once[i].low, {name + "_low", "lower end of the interval of 95 %", band.text.unit, metadata_}},
-               {maps.once[i].high,
-                {name + "_high", "upper end of the interval of 95 %; nodata: not known", band.text.unit, metadata_}}});
+    for (std::size_t t = 0; t < events.rasters.size(); ++t) {
+        const Raster* const upper = maps.upper.empty() ? nullptr : &maps.upper[t];
+        write_chance(rate_name(events.rasters[t]), {maps.rate[t], maps.margin[t]}, upper);
+        write_return_period(k_period + events.rasters[t].substr(std::string(k_probability).size()), maps.rate[t],
+                            maps.margin[t], upper);
     }
+    for (std::size_t i = 0; i < maps.once.size(); ++i)
+        write_interval(once->second + shortest_text(periods[i]), maps.once[i].value, maps.once[i].low,
+                       maps.once[i].high, "nodata: not known");
     return maps;
 }
 

@@ -36,8 +36,8 @@ class MapWriter {
     /// nothing came. Of open runs the upper bound is the third.
     QuantityMaps write_probabilities(const FinishedMembers& finished, const OpenRuns& all, const GridSpec& grid,
                                      const MappedEvents& events) const;
-    /// The same of the rates of a study with a frequency; of depth and velocity also what is exceeded once in so many
-    /// years, with its interval as next bands.
+    /// The same of the rates of a study with a frequency, and of their return periods; of depth and velocity also what
+    /// is exceeded once in so many years, with its interval as next bands.
     RateMaps write_rates(const StudyResult& result, const MappedEvents& events,
                          const std::vector<double>& periods) const;
 
@@ -50,6 +50,11 @@ class MapWriter {
     [[nodiscard]] gis::BandText upper_text(const std::string& name, const std::string& unit) const;
     /// A probability or rate, its margin and, if any, its upper bound.
     void write_chance(const std::string& name, const Chance& chance, const Raster* upper) const;
+    /// Years between events of a rate.
+    void write_return_period(const std::string& name, const Raster& rate, const Raster& margin,
+                             const Raster* upper) const;
+    void write_interval(const std::string& name, const Raster& value, const Raster& low, const Raster& high,
+                        const std::string& of_high) const;
     [[nodiscard]] gis::RasterBand band_of(const std::string& name, const Raster& raster) const;
     void write(const std::string& name, const std::vector<gis::RasterBand>& bands) const;
 

@@ -59,7 +59,7 @@ std::vector<HazardArea> write_degree(const StudyInput& input, const Raster& degr
     ClassMap map{
         RasterName::hazard_degree, "Degree of hazard",       degree_classes(matrix.degrees), *scheme, matrix.source,
         k_degree_zones_file,       intensity_limits(*scheme)};
-    return publish_classes(degree, map, provenance(input.base), words_of(input.base.spec), directory);
+    return publish_classes(degree, map, provenance(input.base), input.base.spec, directory);
 }
 
 void write_reached(const StudyInput& input, const Raster& depth, const ResultDirectory& directory) {
@@ -113,10 +113,11 @@ void write_scenario(const StudyInput& input, const std::vector<UnionMember>& mem
     write_union(input, members, grid, name, directory);
     const auto scheme = hazard_scheme_of(input.base.spec);
     if (!scheme) return;
-    ClassMap map{"scenario_intensity_" + name, scheme->heading, scheme->classes, *scheme, scheme->source, "",
-                 scheme->minimum_labels()};
-    publish_classes(greatest_of(members, Quantity::intensity, grid), map, provenance(input.base),
-                    words_of(input.base.spec), directory);
+    const std::string raster = k_scenario_intensity + name;
+    ClassMap map{raster,         scheme->heading,         scheme->classes,         *scheme,
+                 scheme->source, raster + k_zones_ending, scheme->minimum_labels()};
+    publish_classes(greatest_of(members, Quantity::intensity, grid), map, provenance(input.base), input.base.spec,
+                    directory);
 }
 
 /// Writes the terrain and the rasters of a region: the union of all slopes, how many reach each cell, which is the
@@ -133,10 +134,9 @@ void publish_unions(StudyInput& input, const StudyResult& result, const ResultDi
         facts.reached_threshold = input.base.spec.output.trace_threshold;
         facts.reached_m2 = {covered_area(depth, facts.reached_threshold)};
     }
-    if (region.return_period)
-        facts.degrees = write_degree(input, worst_degree(all, result.grid, region.degrees), directory);
-    if (!region.scenario) return;
-    for (const auto& [name, stem] : scenarios_of(input))
+    if (region.degrees) facts.degrees = write_degree(input, worst_degree(all, result.grid, *region.degrees), directory);
+    if (!region.has_scenarios()) return;
+    for (const auto& [name, stem, years] : scenarios_of(input))
         if (const auto members = members_of(input, result, name); !members.empty())
             write_scenario(input, members, result.grid, stem, directory);
 }

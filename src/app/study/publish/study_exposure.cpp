@@ -19,7 +19,9 @@
 #include "app/study/statistics/cell_statistics.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
+#include "app/text/text_table.h"
 #include "core/text.h"
+#include "params/grammar/value_text.h"
 #include "params/keys/output_parameters.h"
 #include "params/keys/result_rasters.h"
 
@@ -27,6 +29,13 @@ namespace frana::app::study {
 namespace {
 
 using Values = std::span<const float>;
+
+/// The quantity of records that breaks features.
+Quantity quantity_of(const BreakingQuantity& by) {
+    const auto found = std::find_if(std::begin(k_curve_quantities), std::end(k_curve_quantities),
+                                    [&](const CurveQuantity& one) { return one.key == std::string(by.column); });
+    return found->quantity;
+}
 
 class Builder {
   public:
@@ -48,18 +57,26 @@ class Builder {
         greatest(Quantity::depth, &ExposureValues::depth);
         greatest(Quantity::velocity, &ExposureValues::velocity);
         greatest(Quantity::pressure, &ExposureValues::pressure);
+        if (uses_momentum()) greatest(Quantity::momentum, &ExposureValues::momentum);
         for_each(Quantity::arrival, [&](std::size_t feature, Values values) {
             const float first = *std::min_element(values.begin(), values.end());
             if (std::isfinite(first)) values_[feature].arrival = static_cast<double>(first);
         });
         std::vector<ExposureRow> rows = exposure_rows(layer_, values_, map);
         input_.spec().region ? add_sources(rows) : add_probabilities(rows);
-        if (input_.spec().region && input_.spec().region->scenario) add_scenarios(rows);
+        if (input_.spec().region && input_.spec().region->has_scenarios()) add_scenarios(rows);
         if (result_.rates) add_rates(rows);
+        if (input_.base.extra.fragility) add_damage(rows);
         return rows;
     }
 
+    std::vector<DamageSum> damages;  ///< of all rows
+
   private:
+    [[nodiscard]] bool uses_momentum() const {
+        const auto& fragility = input_.base.extra.fragility;
+        return fragility && fragility->uses(HazardQuantity::momentum);
+    }
     /// Of all runs whose records count: one that failed has hit before it failed.
     template <class Visit>
     void for_each(Quantity quantity, const Visit& visit) const {
@@ -142,14 +159,12 @@ class Builder {
     /// The greatest value of a feature in each scenario: "T30_max_depth_m".
     void add_scenarios(std::vector<ExposureRow>& rows) const {
         const std::vector<Scenario> scenarios = scenarios_of(input_);
-        constexpr std::pair<Quantity, const char*> k_columns[] = {{Quantity::intensity, "intensity"},
-                                                                  {Quantity::depth, "max_depth_m"},
-                                                                  {Quantity::velocity, "max_velocity_ms"},
-                                                                  {Quantity::pressure, "max_pressure_kpa"}};
-        const bool has_classes = hazard_scheme_of(input_.base.spec).has_value();
-        for (const auto& [quantity, column] : k_columns) {
-            if (quantity == Quantity::intensity && !has_classes) continue;
-            for_each(quantity, [&, name = std::string(column)](std::size_t feature, Values values) {
+        std::vector<std::pair<Quantity, std::string>> columns;
+        if (hazard_scheme_of(input_.base.spec)) columns.emplace_back(Quantity::intensity, "intensity");
+        for (const CurveQuantity& one : k_curve_quantities)
+            if (one.quantity != Quantity::momentum || uses_momentum()) columns.emplace_back(one.quantity, one.key);
+        for (const auto& [quantity, column] : columns)
+            for_each(quantity, [&, name = column](std::size_t feature, Values values) {
                 std::map<std::string, double> greatest;
                 for (std::size_t record = 0; record < values.size(); ++record) {
                     double& most = greatest[input_.slopes[source_of(record)].scenario];
@@ -159,38 +174,91 @@ class Builder {
                     rows[feature].numbers.emplace_back(one.stem + "_" + name,
                                                        rows[feature].is_on_map() ? greatest[one.name] : k_no_data);
             });
-        }
-        if (input_.spec().region->return_period && has_classes) add_degree(rows);
+        if (input_.spec().region->degrees) add_degree(rows);
     }
 
-    /// The degree of hazard of a feature, and the scenario and slope that decide it: of several the deepest.
+    void add_damage(std::vector<ExposureRow>& rows) {
+        const Fragility& fragility = *input_.base.extra.fragility;
+        if (result_.rates || !input_.spec().region) return add_mean_damage(fragility, rows);
+        if (!input_.spec().region->has_scenarios())
+            damages.push_back(add_event_damage(fragility, "", "", result_.open.any(), rows));
+        else
+            for (const Scenario& one : scenarios_of(input_)) {
+                bool is_open = false;
+                for (std::size_t run = 0; run < result_.members.size(); ++run)
+                    is_open = is_open || (result_.open.is_open[run] &&
+                                          input_.slope_of(result_.members[run].member).scenario == one.name);
+                damages.push_back(add_event_damage(fragility, one.stem + "_", one.name, is_open, rows));
+            }
+    }
+
+    /// Of many runs: the mean damage of an event or, with a frequency, that of a year; in sum with an interval of its
+    /// own, as features are hit together.
+    void add_mean_damage(const Fragility& fragility, std::vector<ExposureRow>& rows) {
+        std::vector<Damage> all(rows.size());
+        Damage together;
+        double most = 0;
+        for (std::size_t f = 0; f < rows.size(); ++f) most += rows[f].is_on_map() ? fragility.most(f) : 0;
+        const auto visit = [&](const FinishedMembers& members, const auto& take) {
+            std::vector<double> own(members.size()), sum(members.size());
+            for (const BreakingQuantity& by : k_breaking_quantities)
+                if (fragility.uses(by.quantity))
+                    for_each_feature(members, quantity_of(by), result_.grid, cells_, [&](std::size_t f, Values values) {
+                        if (fragility.of(f).by != &by) return;
+                        for (std::size_t m = 0; m < own.size(); ++m) {
+                            own[m] = fragility.damage(f, static_cast<double>(values[m]));
+                            if (rows[f].is_on_map()) sum[m] += own[m];
+                        }
+                        take(all[f], own, fragility.most(f));
+                    });
+            take(together, sum, most);
+        };
+        visit(result_.finished, [&](Damage& damage, const std::vector<double>& own, double greatest) {
+            damage = mean_damage(result_, own, greatest);
+        });
+        if (result_.open.any())
+            visit(result_.open.runs, [&](Damage& damage, const std::vector<double>& own, double greatest) {
+                damage.high = std::max(damage.high, damage_bound(result_, own, greatest));
+            });
+        damages.push_back(add_damages(result_.rates ? k_annual_damage : k_expected_damage, "", all, rows));
+        damages.back().damage = together;
+    }
+
+    /// The degree of hazard of a feature, the scenarios that lead to it, and of the slopes that do the deepest.
     void add_degree(std::vector<ExposureRow>& rows) const {
-        const DegreeMatrix& degrees = input_.spec().region->degrees;
+        const DegreeMatrix& degrees = *input_.spec().region->degrees;
         std::vector<std::vector<float>> depths(rows.size());
         for_each(Quantity::depth,
                  [&](std::size_t feature, Values values) { depths[feature].assign(values.begin(), values.end()); });
         for_each(Quantity::intensity, [&](std::size_t feature, Values values) {
             int degree = 0, most = 0;
-            std::size_t by = 0;
+            std::set<std::size_t> by;  // slopes
+            std::size_t deepest = 0;
             for (std::size_t record = 0; record < values.size(); ++record) {
                 const auto& period = input_.slopes[source_of(record)].return_period;
                 if (!period) continue;
                 const auto of = [&](int intensity) { return static_cast<int>(degrees.of(intensity, *period)); };
                 const int own = values[record] >= 1 ? of(static_cast<int>(values[record])) : 0;
                 if (result_.open.any() && result_.open.is_open[record]) most = std::max(most, of(k_strongest));
-                if (own < degree || (own == degree && !(depths[feature][record] > depths[feature][by]))) continue;
+                if (own == 0 || own < degree) continue;
+                if (own > degree) by.clear();
+                if (by.empty() || depths[feature][record] > depths[feature][deepest]) deepest = record;
                 degree = own;
-                by = record;
+                by.insert(source_of(record));
             }
             ExposureRow& row = rows[feature];
-            const Slope& slope = input_.slopes[source_of(by)];
             const bool has_one = row.is_on_map() && degree > 0;
+            std::vector<std::string> scenarios;  // all that lead to it
+            for (const Scenario& one : scenarios_of(input_))
+                if (std::any_of(by.begin(), by.end(),
+                                [&](std::size_t slope) { return input_.slopes[slope].scenario == one.name; }))
+                    scenarios.push_back(one.name);
             row.numbers.emplace_back(RasterName::hazard_degree, row.is_on_map() ? degree : k_no_data);
             if (result_.open.any())
                 row.numbers.emplace_back(std::string(RasterName::hazard_degree) + "_upper",
                                          row.is_on_map() ? std::max(degree, most) : k_no_data);
-            row.texts.emplace_back("degree_scenario", has_one ? slope.scenario : "");
-            row.texts.emplace_back("degree_source", has_one ? slope.name : "");
+            row.texts.emplace_back("degree_scenario", has_one ? joined(scenarios, ", ") : "");
+            row.texts.emplace_back("degree_source", has_one ? input_.slopes[source_of(deepest)].name : "");
         });
     }
 
@@ -209,10 +277,10 @@ std::vector<std::pair<std::string, std::string>> shown_columns(const StudyInput&
     const Words words = words_of(input.base.spec);
     std::vector<std::pair<std::string, std::string>> all;
     const auto scheme = hazard_scheme_of(input.base.spec);
-    if (input.spec().region && input.spec().region->scenario && scheme)
+    if (input.spec().region && input.spec().region->has_scenarios() && scheme)
         for (const Scenario& one : scenarios_of(input))
             all.emplace_back(one.name + ": " + words(scheme->heading), one.stem + "_intensity");
-    if (input.spec().region && input.spec().region->return_period)
+    if (input.spec().region && input.spec().region->degrees)
         all.emplace_back(words("Degree of hazard"), RasterName::hazard_degree);
     if (!result.rates) return all;
     for (const MappedEvents& events : mapped_events(input.base.spec))
@@ -228,15 +296,19 @@ std::vector<std::pair<std::string, std::string>> shown_columns(const StudyInput&
 }  // namespace
 
 std::vector<Scenario> scenarios_of(const StudyInput& input) {
-    std::map<std::pair<double, std::string>, bool> all;
-    for (const Slope& slope : input.slopes)
-        if (!slope.scenario.empty()) all[{slope.return_period.value_or(0), slope.scenario}] = true;
-    std::vector<std::string> names;
-    for (const auto& [order, present] : all) names.push_back(order.second);
-    names.erase(std::unique(names.begin(), names.end()), names.end());
-    const std::vector<std::string> stems = file_stems(names);
+    std::map<std::string, double> periods;
+    for (const Slope& slope : input.slopes)  // of one without a period, whose column is wrong, another slope says it
+        if (!slope.scenario.empty())
+            periods[slope.scenario] = std::max(periods[slope.scenario], slope.return_period.value_or(0));
     std::vector<Scenario> scenarios;
-    for (std::size_t i = 0; i < names.size(); ++i) scenarios.push_back({names[i], stems[i]});
+    for (const auto& [name, period] : periods) scenarios.push_back({name, "", period});
+    std::sort(scenarios.begin(), scenarios.end(), [](const Scenario& a, const Scenario& b) {
+        return a.return_period != b.return_period ? a.return_period < b.return_period : precedes(a.name, b.name);
+    });
+    std::vector<std::string> names;
+    for (const Scenario& one : scenarios) names.push_back(one.name);
+    const std::vector<std::string> stems = file_stems(names);
+    for (std::size_t i = 0; i < stems.size(); ++i) scenarios[i].stem = stems[i];
     return scenarios;
 }
 
@@ -254,10 +326,13 @@ std::optional<ExposureTotals> publish_study_exposure(const StudyInput& input, co
                                                      const Bounds& map, const ResultDirectory& directory) {
     const auto& layer = input.base.extra.exposure;
     if (!layer) return std::nullopt;
-    ExposureTotals totals = write_exposure(*layer, Builder(input, result).rows(map), result.grid.crs_wkt,
-                                           words_of(input.base.spec), directory);
+    const Words words = words_of(input.base.spec);
+    Builder builder(input, result);
+    ExposureTotals totals = write_exposure(*layer, builder.rows(map), result.grid.crs_wkt, words, directory);
     totals.is_least = result.open.any();
     totals.more_columns = shown_columns(input, result);
+    totals.damages = std::move(builder.damages);
+    for (const DamageSum& one : totals.damages) totals.more_columns.emplace_back(one.title(words), one.name);
     return totals;
 }
 

@@ -14,7 +14,8 @@ namespace frana::app::study {
 
 /// One of several events of a region's slopes.
 struct Scenario {
-    std::string name, stem;  ///< stem: in names of files and columns
+    std::string name, stem;    ///< stem: in names of files and columns
+    double return_period = 0;  ///< [years]; 0: not known
 };
 /// Returns those of a region, the most frequent first.
 std::vector<Scenario> scenarios_of(const StudyInput& input);

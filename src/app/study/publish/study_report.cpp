@@ -88,16 +88,23 @@ std::string rate_text(const FrequencySpec::Rate& rate, const ReportNumbers& numb
     return number.of_any_size(rate.value) + (rate.deviation > 0 ? " ± " + number.of_any_size(rate.deviation) : "");
 }
 
+/// The least and the greatest volume of a frequency.
+std::string volumes_text(const std::vector<FrequencySpec::Volume>& volumes, const ReportNumbers& number,
+                         const Words& words) {
+    return "≥ " + number.grouped(volumes.front().volume) + " m³; " +
+           words("larger events count as {1} m³", {number.grouped(volumes.back().volume)});
+}
+
 /// How often the slopes fail, and what that makes of the least depth threshold.
 void add_frequency(const FrequencySpec& frequency, const StudyResult& result, const StudyFacts& facts,
                    const Words& words, Table& table) {
     if (!result.rates) return;
     const ReportNumbers number(words);
     std::string rate = rate_text(result.rates->of_all(), number);
-    if (const auto& volumes = frequency.volumes)
-        rate += " (≥ " + number.grouped(volumes->front().volume) + " m³); " +
-                words("larger events count as {1} m³", {number.grouped(volumes->back().volume)});
-    table.row({with_unit(words("Annual rate"), "1/a"), rate});
+    if (const auto& volumes = frequency.volumes) rate += " (" + volumes_text(*volumes, number, words) + ")";
+    const bool is_sum = result.rates->sources().size() > 1;
+    table.row(
+        {with_unit(words(is_sum ? worded("Annual rate, sum of all slopes") : worded("Annual rate")), "1/a"), rate});
     const std::vector<double> periods = frequency.mapped_periods();
     for (std::size_t i = 0; i < facts.once_m2.size(); ++i)
         table.row({with_unit(words("Covered area") + " (> " + number(facts.reached_threshold) + " m), " +
@@ -211,13 +218,15 @@ Document figures_table(const StudyResult& result, const Words& words) {
 Document degrees_table(const std::vector<HazardArea>& degrees, const Words& words) {
     if (degrees.empty()) return {};
     const ReportNumbers number(words);
-    Table table({"", words("Degree of hazard"), with_unit(words("Covered area"), "m²")});
+    Table table({"", words("Degree of hazard"), with_unit(words("Covered area"), "m²"),
+                 with_unit(words("Area of all generalised zones"), "m²")});
     for (const HazardArea& one : degrees) {
         Cell colour = "";
         colour.swatch = hex(one.kind.colour);
         table.row({colour,
                    class_label(one.kind.name + ": " + one.kind.thresholds, words),
-                   {number.grouped(one.area_m2), "n"}});
+                   {number.grouped(one.area_m2), "n"},
+                   {std::isnan(one.zones_m2) ? "" : number.grouped(one.zones_m2), "n"}});
     }
     return table;
 }
@@ -269,12 +278,20 @@ std::string why_open(const MemberEnd& end, const Words& words) {
 Document sources_section(const StudyInput& input, const StudyResult& result, const Words& words) {
     const AnnualRates& rates = *result.rates;
     const ReportNumbers number(words);
-    Table table({"", words("Slope"), with_unit(words("Annual rate"), "1/a"), words("Runs"), words("reason")});
+    const auto has_volumes = [](const Slope& slope) { return slope.frequency.volumes.has_value(); };
+    const bool with_volumes = std::any_of(input.slopes.begin(), input.slopes.end(), has_volumes);
+    std::vector<std::string> heads{"", words("Slope"), with_unit(words("Annual rate"), "1/a")};
+    if (with_volumes) heads.push_back(words("Volume"));
+    heads.insert(heads.end(), {words("Runs"), words("reason")});
+    Table table(heads);
     for (std::size_t i = 0; i < std::min(k_most_slopes, rates.sources().size()); ++i) {
         const Source& source = rates.sources()[i];
-        table.row({std::to_string(i), valid_utf8(source.name), rate_text(source.rate, number),
-                   std::to_string(source.members.size()) + " / " + std::to_string(source.shares.size()),
-                   words(result.members[input.first_member(i)].failure)});
+        std::vector<Cell> cells{std::to_string(i), valid_utf8(source.name), rate_text(source.rate, number)};
+        const auto& volumes = input.slopes[i].frequency.volumes;
+        if (with_volumes) cells.push_back(volumes ? volumes_text(*volumes, number, words) : "");
+        cells.push_back(std::to_string(source.members.size()) + " / " + std::to_string(source.shares.size()));
+        cells.push_back(words(result.members[input.first_member(i)].failure));
+        table.row(cells);
     }
     return Document().heading("slopes", words("Slopes")).add(table);
 }
@@ -284,7 +301,7 @@ Document sources_section(const StudyInput& input, const StudyResult& result, con
 Document slopes_section(const StudyInput& input, const StudyResult& result, const Words& words) {
     if (!input.reading.study.region) return {};
     if (result.rates) return sources_section(input, result, words);
-    const bool has_scenarios = input.reading.study.region->scenario.has_value(), has_failures = result.failed() > 0;
+    const bool has_scenarios = input.reading.study.region->has_scenarios(), has_failures = result.failed() > 0;
     const bool has_open = std::any_of(result.members.begin(), result.members.end(), [](const MemberRecord& member) {
         return member.failure.empty() && member.end.is_open();
     });

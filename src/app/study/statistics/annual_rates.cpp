@@ -73,18 +73,41 @@ void AnnualRates::for_each_source(Hits hits, double threshold, const Visit& visi
     }
 }
 
-AnnualRate AnnualRates::exceeded(Hits hits, double threshold) const {
-    if (hits.empty()) return {0, nowhere_};
+template <class Each>
+AnnualRate AnnualRates::sum_of(const Each& each) const {
     double value = 0, squares = 0, sum = 0, of_rates = 0;
-    for_each_source(hits, threshold, [&](std::size_t source, const Estimate& probability) {
+    each([&](std::size_t source, const Estimate& estimate) {
         const FrequencySpec::Rate& rate = sources_[source].rate;
-        const double spread = k_normal * rate.deviation * probability.value;
-        value += rate.value * probability.value;
-        squares += squares_of(rate, probability.margin);
+        const double spread = k_normal * rate.deviation * estimate.value;
+        value += rate.value * estimate.value;
+        squares += squares_of(rate, estimate.margin);
         sum += spread;
         of_rates += square(spread);
     });
     return {value, std::sqrt(squares + (is_common_rate_ ? square(sum) : of_rates))};
+}
+
+AnnualRate AnnualRates::exceeded(Hits hits, double threshold) const {
+    if (hits.empty()) return {0, nowhere_};
+    return sum_of([&](const auto& visit) { for_each_source(hits, threshold, visit); });
+}
+
+AnnualRate AnnualRates::sum(std::span<const double> values, double most) const {
+    const auto is_hit = [](double value) { return value > 0; };
+    if (std::none_of(values.begin(), values.end(), is_hit)) return {0, nowhere_ * most};
+    return sum_of([&](const auto& visit) {
+        for (std::size_t i = 0; i < sources_.size(); ++i) {
+            const auto own = values.subspan(sources_[i].first, sources_[i].members.size());
+            if (std::any_of(own.begin(), own.end(), is_hit)) visit(i, estimates_[i].mean(own, most));
+        }
+    });
+}
+
+double AnnualRates::bound_of_sum(std::span<const double> runs, double most) const {
+    double sum = open_rate_ * most;
+    for (std::size_t run = 0; run < runs.size(); ++run)
+        if (!is_open_[run]) sum += run_rates_[run] * runs[run];
+    return sum;
 }
 
 std::vector<double> AnnualRates::by_source(Hits hits, double threshold) const {

@@ -52,7 +52,12 @@ class AnnualRates {
 
     /// How often a value exceeds a threshold.
     [[nodiscard]] AnnualRate exceeded(Hits hits, double threshold) const;
-    /// The same of each source.
+    /// What a value from 0 to `most` sums up to in a year: a damage.
+    /// @param values of all finished members
+    [[nodiscard]] AnnualRate sum(std::span<const double> values, double most) const;
+    /// The same if every open run has the most. @param runs values of all runs
+    [[nodiscard]] double bound_of_sum(std::span<const double> runs, double most) const;
+    /// The same as exceeded(), of each source.
     [[nodiscard]] std::vector<double> by_source(Hits hits, double threshold) const;
     /// How often it may, if every open run exceeds it.
     /// @param runs hits of all runs, not of the finished members alone
@@ -66,6 +71,9 @@ class AnnualRates {
     /// Calls visit(source, probability) for the sources of the hits.
     template <class Visit>
     void for_each_source(Hits hits, double threshold, const Visit& visit) const;
+    /// Sums up what each(visit) tells of the sources, by visit(source, estimate).
+    template <class Each>
+    [[nodiscard]] AnnualRate sum_of(const Each& each) const;
 
     std::vector<Source> sources_;
     std::vector<MeanEstimate> estimates_;

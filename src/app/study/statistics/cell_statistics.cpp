@@ -172,6 +172,15 @@ Estimate MeanEstimate::mean(std::span<const double> values) const {
     return of([&](std::size_t m) { return values[m]; });
 }
 
+Estimate MeanEstimate::mean(std::span<const double> values, double most) const {
+    Estimate estimate = mean(values);
+    if (!std::isfinite(estimate.error)) return {estimate.value, k_unknown_error * most, most};
+    constexpr double k_rounding = 1e-12;
+    if (estimate.error < k_rounding * most) return {estimate.value, 0, std::min(1.0, 3 * greatest_weight_) * most};
+    estimate.margin = std::min(estimate.margin, most);
+    return estimate;
+}
+
 namespace {
 
 template <class Value>

@@ -99,6 +99,8 @@ class MeanEstimate {
     explicit MeanEstimate(const FinishedMembers& members);
     [[nodiscard]] Estimate probability(std::span<const float> values, double threshold) const;
     [[nodiscard]] Estimate mean(std::span<const double> values) const;
+    /// The same of values from 0 to `most`, of which no mean is certain: its margin is, as of a probability, never 0.
+    [[nodiscard]] Estimate mean(std::span<const double> values, double most) const;
 
   private:
     template <class ValueOf>

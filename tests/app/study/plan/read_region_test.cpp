@@ -41,6 +41,36 @@ TEST_F(ReadRegion, ReadsBackAsWritten) {
     EXPECT_EQ(study_text(again.study), study_text(study));
 }
 
+TEST_F(ReadRegion, ScenariosAreInOrderOfTheirPeriods) {
+    const StudyReading reading = read(
+        "[region]\nscene = s.ini\n[scenario 300]\nrelease.thickness = D300\n[scenario extreme]\nreturn-period = 1000\n"
+        "release.thickness = DX\n[scenario 30]\nrelease.thickness = D30\n");
+    EXPECT_TRUE(reading.problems.empty()) << describe(reading.problems.list().front());
+    const auto& events = reading.study.region->events;
+    ASSERT_EQ(events.size(), 3U);
+    EXPECT_EQ(events[0].name + events[1].name + events[2].name, "30300extreme");
+    EXPECT_EQ(events[2].return_period, 1000);
+    EXPECT_EQ(events[1].columns.front().column, "D300");
+    const StudyReading again = read(study_text(reading.study));
+    EXPECT_TRUE(again.problems.empty()) << describe(again.problems.list().front());
+    EXPECT_EQ(study_text(again.study), study_text(reading.study));
+}
+
+TEST_F(ReadRegion, MistakesInScenariosAreNamed) {
+    const StudyReading reading = read(
+        "[region]\nscene = s.ini\nscenario = SC\n[set]\nrelease.volume = 5\n[scenario 30]\nrelease.thickness = D30\n"
+        "return-period = 100\n[scenario rare]\nrelease.volume = V\n[scenario a/b]\nrelease.thickness = D\n"
+        "[scenario 300]\nreturn-period = 300\n[frequency]\nrate = 0.1\n");
+    const std::vector<Problem>& all = reading.problems.list();
+    EXPECT_TRUE(has_problem(all, "region.scenario", "SC")) << "an event is told once";
+    EXPECT_TRUE(has_problem(all, "scenario 30.return-period", "100")) << "differs from its name";
+    EXPECT_TRUE(has_problem(all, "scenario rare.return-period")) << "is missing";
+    EXPECT_TRUE(has_problem(all, "scenario rare.release.volume")) << "is set for all, too";
+    EXPECT_TRUE(has_problem(all, "scenario 30", "release.thickness")) << "other keys than the first";
+    EXPECT_TRUE(has_problem(all, "scenario a/b.release.thickness", "D"));
+    EXPECT_TRUE(has_problem(all, "scenario 300")) << "no column";
+}
+
 TEST_F(ReadRegion, EveryMistakeIsNamed) {
     const StudyReading reading = read(
         "[region]\nname = NAME\nscenari = SC\nwindow = 90\n[set]\nrelease.thickness = 2\n[columns]\n"
