@@ -311,9 +311,12 @@ void print_calibration(const study::StudyInput& input) {
     for (const study::EventSpec& event : calibration.events) print_keys(event.vary, " of " + event.name);
     print_correlations(calibration);
     std::printf("\nMembers\n");
-    print_fact("members", std::to_string(input.design.size()) + " first, then until the intervals settle, at most " +
+    std::size_t design = 0;
+    for (const study::StudyInput& event : input.own) design = std::max(design, event.design.size());
+    print_fact("members", std::to_string(design) + " first, then until the intervals settle, at most " +
                               std::to_string(calibration.samples) + ", each for " + std::to_string(input.events()) +
-                              (input.events() == 1 ? " event" : " events") + "; sampling " +
+                              (input.events() == 1 ? " event" : " events") + "; then " +
+                              std::to_string(study::forecast_runs(calibration)) + " for the forecast; sampling " +
                               study::name_of(calibration.sampling) + ", seed " + std::to_string(calibration.seed));
 }
 
@@ -358,7 +361,9 @@ Json check_study(const std::string& path, study::StudyKind kind, const std::opti
         load_drawing(one->base.spec.output.maps.front() != "off", false, Loading::later);
         const StudyForecast forecast = forecast_study(*one, threads, true);
         refuse_study_beyond_memory(*one, forecast, threads);
-        cost.add(forecast, study.is_calibration() ? static_cast<double>(study.samples) : members_of(*one, plans));
+        cost.add(forecast, study.is_calibration()
+                               ? static_cast<double>(study.samples) + static_cast<double>(study::forecast_runs(study))
+                               : members_of(*one, plans));
     }
     if (print) {
         constexpr const char* k_names[] = {"Study", "Region", "Calibration"};
@@ -381,7 +386,7 @@ Json check_study(const std::string& path, study::StudyKind kind, const std::opti
     json["study"] = study.file;
     json["members"] = study.is_calibration() ? static_cast<std::size_t>(study.samples) : input.members();
     if (study.is_calibration()) {
-        json["first_members"] = input.design.size();
+        json["first_members"] = input.own.front().design.size();
         for (const study::EventSpec& event : study.events)
             json["events"].push_back({{"name", event.name}, {"scene", event.scene}});
     } else {

@@ -137,7 +137,7 @@ std::vector<ResultFile> make_table() {
     table.add(FileKind::text, {k_region_file}).add_zones(k_degree_zones_file);
     table.add_zones(std::string(k_scenario_intensity) + "*" + k_zones_ending).add_rasters();
     table.by("calibrate");
-    table.add(FileKind::table, {k_posterior_table, posterior_of("*")});
+    table.add(FileKind::table, {k_posterior_table, k_member_table});
     table.add(FileKind::text, {k_calibration_file, k_best_scene, best_scene_of("*")});
     table.add_rasters();
     table.by("render");

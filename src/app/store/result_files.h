@@ -118,9 +118,6 @@ inline constexpr const char* k_posterior_table = "posterior.csv";
 inline constexpr const char* k_calibration_file = "calibration.json";
 inline constexpr const char* k_best_scene = "best.ini";
 /// The same of one of several events.
-inline std::string posterior_of(const std::string& event) {
-    return "posterior_" + event + ".csv";
-}
 inline std::string best_scene_of(const std::string& event) {
     return "best_" + event + ".ini";
 }

@@ -237,6 +237,10 @@ inline constexpr std::size_t k_least_hits = 5;
 /// surveyed events: then its members get the weight of a likelihood.
 enum class StudyKind { ensemble, region, calibration };
 
+/// What the rows of a posterior's table are for: a slope of the same kind, or an event of those that were surveyed.
+inline constexpr const char *k_for_column = "for", *k_event_column = "event", *k_new_slope = "new-slope",
+                            *k_this_event = "this-event";
+
 /// A study as specified in its file; no scene is read yet.
 struct StudySpec {
     StudyKind kind = StudyKind::ensemble;
@@ -245,7 +249,8 @@ struct StudySpec {
     std::optional<Scheme> scheme;  ///< of all members; none: that of the scene
     std::int64_t samples = 200;
     Sampling sampling = Sampling::sobol;
-    std::string table;  ///< absolute; sampling by a table alone
+    std::string table;                ///< absolute; sampling by a table alone
+    std::optional<std::string> rows;  ///< of a posterior's table: k_new_slope, k_this_event or "this-event NAME"
     std::int64_t seed = 1;
     std::optional<std::string> rare_place;  ///< importance sampling: the gauge of the scene that is seldom reached
     std::optional<double> until;  ///< largest standard error of a probability at which no more members are run
@@ -260,12 +265,8 @@ struct StudySpec {
     std::vector<EventSpec> events;  ///< calibration
 
     [[nodiscard]] bool is_calibration() const noexcept { return kind == StudyKind::calibration; }
-    /// Returns what varies in all events together: the shared keys, then those of each.
-    [[nodiscard]] StudySpec of_all_events() const;
     /// Returns the study of one event, with its scene: the shared keys, then its own.
     [[nodiscard]] StudySpec of_event(std::size_t event) const;
-    /// Place of an event's first own key among those of all events.
-    [[nodiscard]] std::size_t first_own_key(std::size_t event) const;
 
     /// Members of a group of its sampling; 0: no groups.
     [[nodiscard]] std::size_t group_size() const noexcept {

@@ -371,6 +371,10 @@ void add_rest(std::vector<Parameter>& list) {
     list.push_back(number("observed.perimeter-error", FRANA_MEMBER(observed.perimeter_error), "m", Range{1e-3, 1e5},
                           "Calibrations: standard deviation of the survey's outline, across it.",
                           "the best agreement sets the scale"));
+    list.push_back(number("observed.perimeter-bias", FRANA_MEMBER(observed.perimeter_bias), "m", Range{1e-3, 1e5},
+                          "Calibrations: standard deviation of an offset that the whole outline has, drawn outside as "
+                          "likely as inside.",
+                          "none"));
     list.push_back(number("observed.deposit-error", FRANA_MEMBER(observed.deposit_error), "m", Range{1e-3, 1e3},
                           "Calibrations: standard deviation of the surveyed thickness of the deposit.",
                           "the best agreement sets the scale"));

@@ -165,8 +165,8 @@ struct ObservedSpec {
     std::optional<std::string> front;
     std::optional<std::string> deposit;
     std::optional<double> threshold;
-    std::optional<double> perimeter_error, deposit_error;  ///< standard deviations [m]
-    std::optional<double> error_length;                    ///< [m]
+    std::optional<double> perimeter_error, perimeter_bias, deposit_error;  ///< standard deviations [m]
+    std::optional<double> error_length;                                    ///< [m]
 };
 
 /// Format of scene files; increases when the meaning of a key changes. A file without a format is of the first.

@@ -152,6 +152,7 @@ constexpr Condition k_conditions[] = {
     {"time.stop-momentum", [](const SceneSpec& s) { return s.time.stop_momentum > 0; }},
     {"time.frame-interval", [](const SceneSpec&) { return false; }},
     {"observed.perimeter-error", [](const SceneSpec& s) { return s.observed.perimeter.has_value(); }},
+    {"observed.perimeter-bias", [](const SceneSpec& s) { return s.observed.perimeter_error.has_value(); }},
     {"observed.deposit-error", [](const SceneSpec& s) { return s.observed.deposit.has_value(); }},
     {"observed.error-length",
      [](const SceneSpec& s) { return s.observed.perimeter_error || s.observed.deposit_error; }},

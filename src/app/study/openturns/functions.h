@@ -63,7 +63,8 @@ struct Prediction {
 /// mean, a Matern correlation (5/2) with a length for each coordinate, and an independent error of y, as pixels make it
 /// (Rasmussen and Williams 2006; ordinary kriging).
 struct Emulator {
-    double q2 = 0;  ///< 1 - mean square of the errors of y left out, one by one, over its variance; NaN: none
+    double q2 = 0;     ///< 1 - mean square of the errors of y left out, one by one, over its variance; NaN: none
+    double noise = 0;  ///< variance of the independent error of y, which Prediction::variance does not contain
     std::function<std::vector<Prediction>(const Places& places)> at;
 };
 

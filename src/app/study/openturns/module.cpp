@@ -472,7 +472,7 @@ Emulator emulator(const Places& places, const std::vector<double>& distances) {
     for (const double one : squares) variance += (one - mean) * (one - mean) / static_cast<double>(count);
     if (count < 4 || places.front().empty() || !(variance > 0)) {
         const Prediction same = root_of(mean, variance);
-        return {std::nan(""), [same](const Places& at) { return std::vector<Prediction>(at.size(), same); }};
+        return {std::nan(""), 0, [same](const Places& at) { return std::vector<Prediction>(at.size(), same); }};
     }
     const double unit = std::sqrt(variance);
     const std::size_t keys = places.front().size();
@@ -481,8 +481,9 @@ Emulator emulator(const Places& places, const std::vector<double>& distances) {
     for (std::size_t i = 0; i < count; ++i) outputs(i, 0) = squares[i] /= unit;
     OT::KrigingResult best;
     OT::Point error(count), best_error;
-    double most_likely = -std::numeric_limits<double>::infinity();
-    for (const double of_distance : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1}) {  // variance; that of y^2 is 4 y^2 times it
+    double most_likely = -std::numeric_limits<double>::infinity(), noise = 0;
+    // Variances; that of y^2 is 4 y^2 times it. The greatest are made by fields of error.
+    for (const double of_distance : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1.0, 10.0}) {
         for (std::size_t i = 0; i < count; ++i) error[i] = 4 * of_distance * std::max(squares[i], 1e-6);
         OT::MaternModel model(OT::Point(keys, 0.5), OT::Point(1, 1.0), 2.5);
         model.setNuggetFactor(1e-8);
@@ -497,10 +498,11 @@ Emulator emulator(const Places& places, const std::vector<double>& distances) {
         most_likely = likelihood;
         best = result;
         best_error = error;
+        noise = unit * of_distance;
     }
     OT::CovarianceMatrix covariance = best.getCovarianceModel().discretize(inputs);
     for (std::size_t i = 0; i < count; ++i) covariance(i, i) += best_error[i];
-    return {q2_of(covariance, squares), [best, unit](const Places& at) {
+    return {q2_of(covariance, squares), noise, [best, unit](const Places& at) {
                 const OT::Sample where = sample_of(at), means = best.getConditionalMean(where),
                                  variances = best.getConditionalMarginalVariance(where);
                 std::vector<Prediction> all;

@@ -154,8 +154,15 @@ EventSurvey::EventSurvey(const Prepared& base, const EventSpec& event, const std
     const ObservedSpec& stated = base.spec.observed;
     const double error_length = stated.error_length.value_or(10 * stated.perimeter_error.value_or(grid_.cell_size));
     if (stated.perimeter_error && measures_by(Evidence::scar)) {
-        outline_pieces_ = std::max(1.0, outline_->length() / error_length);
-        outline_variance_ = std::pow(*stated.perimeter_error, 2) + std::pow(grid_.cell_size, 2) / 12;
+        const double length = outline_->length(), alike = std::min(error_length, length), cell = grid_.cell_size,
+                     of_survey = std::pow(*stated.perimeter_error, 2), of_cell = cell * cell / 12,
+                     density = of_survey * alike + of_cell * cell;
+        outline_pieces_ = length * (of_survey + of_cell) / density;
+        // The square of a normal error's correlation has 1 / sqrt(2) of its integral.
+        outline_scatter_ = 2 * length / (density * density) *
+                           (of_survey * of_survey * alike / std::numbers::sqrt2 + of_cell * of_cell * cell);
+        mean_variance_ = density / length;
+        bias_variance_ = std::pow(stated.perimeter_bias.value_or(0), 2);
     }
     if (stated.deposit_error && measures_by(Evidence::elevation_change)) {
         deposit_pieces_ = std::max(1.0, masked_area(deposit_) / std::pow(error_length, 2));
@@ -208,16 +215,26 @@ std::vector<double> EventSurvey::values_of(Evidence evidence, const MemberRecord
     return values;
 }
 
-double EventSurvey::outline_mean_square(const Raster& depth) const {
-    const LineSet trace(gis::polygonise(trace_mask(depth, threshold_)));
-    if (trace.empty()) return std::pow(std::max(runout_, std::sqrt(scar_area_)), 2);
+double EventSurvey::outline_mean_square(const MultiPolygon& trace) const {
+    const LineSet lines(trace);
     const auto mean_square = [&](const LineSet& from, const LineSet& to) {
         double sum = 0;
         const std::vector<Point> points = from.samples(grid_.cell_size);
         for (const Point& point : points) sum += std::pow(to.distance(point), 2);
         return sum / static_cast<double>(points.size());
     };
-    return (mean_square(trace, *outline_) + mean_square(*outline_, trace)) / 2;
+    return (mean_square(lines, *outline_) + mean_square(*outline_, lines)) / 2;
+}
+
+void EventSurvey::add_outline(const Raster& depth, MemberAgreement& to) const {
+    const Raster mask = trace_mask(depth, threshold_);
+    const MultiPolygon trace = gis::polygonise(mask);
+    const double square =
+        trace.empty() ? std::pow(std::max(runout_, std::sqrt(scar_area_)), 2) : outline_mean_square(trace);
+    to.outside = trace.empty() ? 0 : (scar_area_ - masked_area(mask)) / outline_->length();
+    const double offset = std::min(to.outside * to.outside, square);
+    to.unshifted += (square - offset) / mean_variance_;
+    to.chi_square += (square - offset) / mean_variance_ + offset / (mean_variance_ + bias_variance_);
 }
 
 double EventSurvey::deposit_mean_square(const Raster& change) const {
@@ -225,10 +242,8 @@ double EventSurvey::deposit_mean_square(const Raster& change) const {
     return std::pow(compare_deposit(change, elevation_change_, threshold_).rmse_m, 2);
 }
 
-double EventSurvey::chi_square(const MemberRecord& record) const {
+void EventSurvey::add_chi_square(const MemberRecord& record, MemberAgreement& to) const {
     double sum = 0;
-    if (outline_pieces_ > 0)
-        sum += outline_pieces_ * outline_mean_square(record.raster(Quantity::depth, grid_)) / outline_variance_;
     if (deposit_pieces_ > 0)
         sum += deposit_pieces_ * deposit_mean_square(record.raster(Quantity::deposit, grid_)) / deposit_variance_;
     for (const Evidence evidence : k_single_values) {
@@ -241,7 +256,8 @@ double EventSurvey::chi_square(const MemberRecord& record) const {
                     (std::isfinite(values[i]) ? values[i] - observed[i].value : observed[i].value) / observed[i].error,
                     2);
     }
-    return sum;
+    to.chi_square = to.unshifted = sum;
+    if (outline_pieces_ > 0) add_outline(record.raster(Quantity::depth, grid_), to);
 }
 
 bool EventSurvey::measures_by(Evidence evidence) const {
@@ -249,12 +265,20 @@ bool EventSurvey::measures_by(Evidence evidence) const {
                        [&](const Weight& one) { return row_of(one.measure).needs == evidence; });
 }
 
-double EventSurvey::pieces() const {
-    double sum = outline_pieces_ + deposit_pieces_;
+double EventSurvey::single_values() const {
+    double sum = 0;
     for (const Evidence evidence : k_single_values)
         for (const GaugeValue& one : observed_at(event_, evidence))
             sum += measures_by(evidence) && one.error > 0 ? 1 : 0;
     return sum;
+}
+
+double EventSurvey::pieces() const {
+    return outline_pieces_ + deposit_pieces_ + single_values();
+}
+
+double EventSurvey::scatter() const {
+    return std::sqrt(outline_scatter_ + 2 * (deposit_pieces_ + single_values()));
 }
 
 double EventSurvey::misfit(Measure measure, const MemberRecord& record) const {
@@ -296,7 +320,7 @@ MemberAgreement EventSurvey::compare(const MemberRecord& record) const {
         weights += one.weight;
     }
     result.misfit /= weights;
-    result.chi_square = chi_square(record);
+    add_chi_square(record, result);
     return result;
 }
 
@@ -361,36 +385,45 @@ void compare_by_survey(const StudySpec& calibration, StudyInput& input) {
                                                        : Deposit::none;
 }
 
+/// A scene's error of the terrain is one of many that are as likely: each member gets another one.
+void integrate_terrain_error(StudySpec& calibration, std::size_t e) {
+    constexpr const char* k_error = "terrain.error";
+    const auto is_error = [&](const Variation& one) { return one.key == k_error; };
+    const StudySpec of_event = calibration.of_event(e);
+    if (std::any_of(of_event.vary.begin(), of_event.vary.end(), is_error)) return;
+    const StudyInput scene = read_study_scenes({of_event, {}, {}, {}}, {});
+    if (const auto& error = scene.central.scene.terrain.error; error && error->standard_deviation > 0) {
+        const std::string text =
+            "gaussian-field(" + shortest_text(error->standard_deviation) + ", " + shortest_text(error->range) + ")";
+        calibration.events[e].vary.push_back({k_error, std::get<Distribution>(distribution_from_text(text))});
+    }
+}
+
 }  // namespace
 
 SampleTable members_at(const StudyReading& reading, std::size_t event, const Places& places, Problems& problems) {
-    const StudySpec& calibration = reading.study;
-    const std::size_t shared = calibration.vary.size(), first = calibration.first_own_key(event),
-                      own = calibration.events[event].vary.size();
-    Places of_event;
-    for (const std::vector<double>& place : places) {
-        std::vector<double>& one = of_event.emplace_back(place.begin(), place.begin() + static_cast<long>(shared));
-        for (std::size_t k = first; k < first + own; ++k) one.push_back(place[k]);
-    }
-    return samples_at(calibration.of_event(event), of_event, reading.label, problems);
+    return samples_at(reading.study.of_event(event), places, reading.label, problems);
 }
 
 void read_events(StudyInput& texts, RunLog& log) {
-    const StudySpec& calibration = texts.reading.study;
+    StudySpec& calibration = texts.reading.study;
     Problems problems = texts.reading.problems;
-    StudySpec first = calibration.of_all_events();
-    const bool drawable = problems.empty() && !first.vary.empty();  // else values tell nothing
-    if (drawable) {
-        first.samples = std::min(first.samples, std::max(k_least_design, k_design_per_key * std::ssize(first.vary)));
-        texts.design = draw_places(first);
-    }
     for (std::size_t e = 0; e < calibration.events.size(); ++e) {
-        SampleTable table;
-        if (drawable) table = members_at(texts.reading, e, texts.design, problems);
         Problems of_scene;  // the scene may be no INI
         attempt(of_scene, [&] {
+            integrate_terrain_error(calibration, e);
             const StudyReading event{calibration.of_event(e), texts.reading.session, {}, texts.reading.label};
+            StudySpec first = event.study;
+            SampleTable table;
+            Places design;
+            if (problems.empty() && !first.vary.empty()) {  // else values tell nothing
+                first.samples =
+                    std::min(calibration.samples, std::max(k_least_design, k_design_per_key * std::ssize(first.vary)));
+                design = draw_places(first);
+                table = members_at(texts.reading, e, design, problems);
+            }
             StudyInput one = read_study_scenes(event, std::move(table));
+            one.design = std::move(design);
             problems.add(one.central.problems);
             warn_of_changed_inputs(calibration.file, one.central, log);
             texts.own.push_back(std::move(one));

@@ -545,6 +545,9 @@ void StudyReader::check_sampling() {
                          where("study.samples"), std::to_string(study.samples), "",
                          "Write " + std::to_string(std::max<std::int64_t>(2, study.samples / group) * group)});
     }
+    if (study.rows && study.sampling != Sampling::table)
+        add_problem({"has no effect without a table", where("study.for"), *study.rows, "",
+                     "Remove it, or write sampling = table:posterior.csv"});
     const bool in_rounds = study.sampling == Sampling::importance;
     if (in_rounds && !study.rare_place)
         refuse_for("needs a place that is seldom reached",

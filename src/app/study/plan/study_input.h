@@ -42,7 +42,7 @@ struct StudyInput {
     std::string identity;
     Deposit kept_deposit = Deposit::none;  ///< of the members' records
     bool runs_on = true;                   ///< whether members that time.end cuts run on; not where they are compared
-    Places design;                         ///< of a calibration: first members, in all keys
+    Places design;                         ///< of an event of a calibration: its first members
     std::vector<StudyInput> own;           ///< of a calibration, by event: the members so far, at first the design
 
     [[nodiscard]] const StudySpec& spec() const noexcept { return reading.study; }

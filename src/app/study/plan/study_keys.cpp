@@ -240,6 +240,10 @@ std::vector<StudyKey> keys_of(StudyKind kind) {
     add({ensemble, region, calibration},
         if_drawn(declare::integer<StudySpec>(section + "seed", FRANA_MEMBER(seed), 0, k_last_seed,
                                              "The same seed gives the same members.")));
+    add({ensemble}, declare::text<StudySpec>("study.for", FRANA_MEMBER(rows), "text",
+                                             "Which draws of a posterior.csv are taken: new-slope, this-event, or "
+                                             "this-event NAME of several events.",
+                                             "new-slope"));
     add({ensemble}, declare::text<StudySpec>("study.rare-place", FRANA_MEMBER(rare_place), "text",
                                              "A gauge of the scene (output.gauges): with sampling = importance most "
                                              "members are drawn near what makes the flow come there."));
@@ -451,12 +455,6 @@ std::string study_text(const StudySpec& study) {
         text += one.first + " " + one.second + " = " + shortest_text(one.rho) + "\n";
     for (const EventSpec& event : study.events) text += event_text(event);
     return text;
-}
-
-StudySpec StudySpec::of_all_events() const {
-    StudySpec all = *this;
-    for (const EventSpec& event : events) all.vary.insert(all.vary.end(), event.vary.begin(), event.vary.end());
-    return all;
 }
 
 StudySpec StudySpec::of_event(std::size_t event) const {

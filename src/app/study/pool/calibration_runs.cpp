@@ -55,41 +55,62 @@ void compare_members(const StudyInput& input, std::size_t event, const StudyInpu
     runs.measures = survey.measures();
     runs.observed_runout = survey.observed_runout();
     runs.pieces = survey.pieces();
+    runs.scatter = survey.scatter();
     for (std::size_t i = first; i < runs.members.size(); ++i)
-        runs.agreements.push_back(runs.members[i].failure.empty() ? survey.compare(require_record(records.place(i)))
-                                                                  : MemberAgreement{k_no_data, {}, k_no_data});
+        runs.agreements.push_back(runs.members[i].failure.empty()
+                                      ? survey.compare(require_record(records.place(i)))
+                                      : MemberAgreement{k_no_data, {}, k_no_data, k_no_data});
 }
 
-/// Runs the members that are not in `runs` yet for every event. Returns false if a signal stopped it.
-bool run_members(StudyInput& input, const RunSetting& setting, RunLog& log, CalibrationRuns& runs) {
-    const StudySpec& calibration = input.spec();
-    runs.events.resize(input.events());
+/// Runs the members of an event that are not in its runs yet. Returns false if a signal stopped it.
+bool run_members(StudyInput& input, std::size_t event, const RunSetting& setting, RunLog& log, CalibrationRuns& runs) {
     Problems of_values;  // a value outside its key's range: the member fails with the reason
-    for (std::size_t e = 0; e < input.events(); ++e) {
-        StudyInput& study = input.own[e];
-        study.table = members_at(input.reading, e, runs.places, of_values);
-        EventRuns& of_event = runs.events[e];
-        of_event.records = record_place(setting, calibration.events[e].name);
-        MemberRunner runner(study, of_event.records, setting.threads, setting.quiet, setting.ranks, e);
-        const bool whole = runner.run_until(study.table.size());
-        runs.computed += runner.computed();
-        if (!whole) return false;
-        compare_members(input, e, study, of_event.members.size(), of_event);
-        require_a_member(of_event, calibration.events[e]);
-        log.note(calibration.events[e].name + ": " + std::to_string(study.table.size()) + " members, computed " +
-                 std::to_string(runner.computed()));
-    }
+    StudyInput& study = input.own[event];
+    EventRuns& of_event = runs.events[event];
+    study.table = members_at(input.reading, event, of_event.places, of_values);
+    of_event.records = record_place(setting, input.spec().events[event].name);
+    MemberRunner runner(study, of_event.records, setting.threads, setting.quiet, setting.ranks, event);
+    const bool whole = runner.run_until(study.table.size());
+    runs.computed += runner.computed();
+    if (!whole) return false;
+    compare_members(input, event, study, of_event.members.size(), of_event);
+    require_a_member(of_event, input.spec().events[event]);
+    log.note(input.spec().events[event].name + ": " + std::to_string(study.table.size()) + " members, computed " +
+             std::to_string(runner.computed()));
     return true;
 }
 
-}  // namespace
-
-std::vector<std::vector<double>> CalibrationRuns::misfits() const {
-    std::vector<std::vector<double>> all(size());
-    for (std::size_t i = 0; i < size(); ++i)
-        for (const EventRuns& event : events) all[i].push_back(event.agreements[i].misfit);
-    return all;
+/// The search of one event. Returns the posterior of its survey alone; none if a signal stopped it.
+std::optional<PosteriorSample> search(StudyInput& input, std::size_t event, const RunSetting& setting, RunLog& log,
+                                      CalibrationRuns& runs) {
+    const StudySpec& calibration = input.spec();
+    const auto most = static_cast<std::size_t>(calibration.samples);
+    EventRuns& of_event = runs.events[event];
+    of_event.places = input.own[event].design;
+    of_event.design = of_event.places.size();
+    PosteriorSample before;
+    for (;;) {
+        if (!run_members(input, event, setting, log, runs)) return std::nullopt;
+        of_event.searched = of_event.places.size();
+        EventModel model = model_of(calibration, event, of_event);
+        PosteriorSample now = model.sample();
+        if (!before.places.empty()) {
+            of_event.moves[0] = of_event.moves[1];
+            of_event.moves[1] = greatest_move(before, now);
+            log.note("the quantiles moved by " + number_text(100 * of_event.moves[1], 2) + " % of the distributions");
+        }
+        if (of_event.has_settled() || of_event.searched >= most) {
+            runs.models.push_back(std::move(model));
+            return now;
+        }
+        for (std::vector<double>& place :
+             model.next(std::min(most - of_event.searched, std::max(k_least_batch, of_event.searched / k_batches))))
+            of_event.places.push_back(std::move(place));
+        before = std::move(now);
+    }
 }
+
+}  // namespace
 
 std::vector<MemberRecord> CalibrationRuns::runs() const {
     std::vector<MemberRecord> all;
@@ -97,49 +118,41 @@ std::vector<MemberRecord> CalibrationRuns::runs() const {
     return all;
 }
 
-CalibrationModel model_of(const StudySpec& calibration, const CalibrationRuns& runs) {
-    std::vector<CubeKey> keys;
-    for (const Variation& one : calibration.vary) keys.push_back({one.distribution, std::nullopt});
-    std::vector<EventEvidence> evidence;
-    for (std::size_t e = 0; e < runs.events.size(); ++e) {
-        for (const Variation& one : calibration.events[e].vary) keys.push_back({one.distribution, e});
-        const bool is_stated = runs.events[e].pieces > 0;
-        EventEvidence& of_event = evidence.emplace_back(
-            EventEvidence{{}, is_stated ? runs.events[e].pieces : calibration.exponent, is_stated});
-        for (const MemberAgreement& one : runs.events[e].agreements)
-            of_event.distances.push_back(is_stated ? std::sqrt(one.chi_square) : one.misfit);
-    }
-    StudySpec prior = calibration.of_all_events();
+EventModel model_of(const StudySpec& calibration, std::size_t event, const EventRuns& runs) {
+    StudySpec prior = calibration.of_event(event);
+    std::vector<Distribution> keys;
+    for (const Variation& one : prior.vary) keys.push_back(one.distribution);
+    EventEvidence evidence{{}, runs.is_stated() ? runs.pieces : calibration.exponent, runs.scatter, runs.is_stated()};
+    for (std::size_t i = 0; i < runs.searched; ++i)
+        evidence.distances.push_back(runs.is_stated() ? std::sqrt(runs.agreements[i].chi_square)
+                                                      : runs.agreements[i].misfit);
     prior.samples = k_prior_places;
     prior.sampling = Sampling::sobol;
-    return {std::move(keys), runs.places, std::move(evidence), draw_places(prior), calibration.seed + 1};
+    return {std::move(keys),
+            {runs.places.begin(), runs.places.begin() + static_cast<std::ptrdiff_t>(runs.searched)},
+            std::move(evidence),
+            draw_places(prior),
+            calibration.seed + 1};
 }
 
 std::optional<CalibrationRuns> run_calibration(StudyInput& input, const RunSetting& setting, RunLog& log) {
     const StudySpec& calibration = input.spec();
-    const auto most = static_cast<std::size_t>(calibration.samples);
     CalibrationRuns runs;
-    runs.places = input.design;
-    runs.design = input.design.size();
-    PosteriorSample before;
-    for (;;) {
-        if (!run_members(input, setting, log, runs)) return std::nullopt;
-        const CalibrationModel model = model_of(calibration, runs);
-        PosteriorSample now = model.sample();
-        if (!now.possible())
-            throw Error(ErrorKind::numerical, Problem{"no member finished for all events at once", input.reading.label,
-                                                      "", "", "Narrow the ranges in [vary], or raise study.samples"});
-        if (!before.places.empty()) {
-            runs.moves[0] = runs.moves[1];
-            runs.moves[1] = greatest_move(before, now);
-            log.note("the quantiles moved by " + number_text(100 * runs.moves[1], 2) + " % of the distributions");
-        }
-        if (runs.has_settled() || runs.size() >= most) return runs;
-        for (std::vector<double>& place :
-             model.next(std::min(most - runs.size(), std::max(k_least_batch, runs.size() / k_batches))))
-            runs.places.push_back(std::move(place));
-        before = std::move(now);
+    runs.events.resize(input.events());
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        auto one = search(input, e, setting, log, runs);
+        if (!one) return std::nullopt;
+        runs.alone.push_back(std::move(*one));
     }
+    std::vector<Distribution> shared;
+    for (const Variation& one : calibration.vary) shared.push_back(one.distribution);
+    runs.population = population_of(shared, runs.alone, calibration.seed);
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        for (std::vector<double>& place : evenly_drawn(runs.population.events[e], forecast_runs(calibration)))
+            runs.events[e].places.push_back(std::move(place));
+        if (!run_members(input, e, setting, log, runs)) return std::nullopt;
+    }
+    return runs;
 }
 
 }  // namespace frana::app::study

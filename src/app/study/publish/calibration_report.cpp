@@ -56,20 +56,19 @@ CellWindow window_of(const FinishedMembers& members, const GridSpec& grid) {
     return {top, left, bottom - top, right - left};
 }
 
-/// The runs of an event that the surveys give weight.
-OpenRuns weighted_runs(const EventRuns& event, const CalibrationResult& result) {
+/// The runs of draws of an event's posterior.
+OpenRuns drawn_runs(const EventRuns& event) {
     OpenRuns all;
     const RecordFiles records(event.records);
-    for (std::size_t i = 0; i < result.weights.size(); ++i) {
-        if (!(result.weights[i] > 0)) continue;
+    for (std::size_t i = event.searched; i < event.members.size(); ++i) {
         all.runs.records.push_back(records.place(i));
-        all.runs.weights.push_back(result.weights[i]);
-        all.is_open.push_back(event.members[i].end.is_open());
+        all.runs.weights.push_back(1 / static_cast<double>(event.members.size() - event.searched));
+        all.is_open.push_back(event.members[i].end.is_open() || !event.members[i].failure.empty());
     }
     return all;
 }
 
-MapSource source_of(const StudyInput& input, std::size_t e, const EventRuns& runs, const CalibrationResult& result,
+MapSource source_of(const StudyInput& input, std::size_t e, const EventRuns& runs, std::size_t best,
                     const CellWindow& window, const Troubles& troubles) {
     const Prepared& base = input.own[e].base;
     const double threshold = observed_threshold(base.spec);
@@ -78,9 +77,8 @@ MapSource source_of(const StudyInput& input, std::size_t e, const EventRuns& run
     const Words& words = source.style.words;
     source.title = base.spec.output.title.value_or(input.spec().events[e].name);
     const auto number = [&](double value) { return words.number(number_text(value, 3)); };
-    const auto weighted = std::count_if(result.weights.begin(), result.weights.end(), [](double w) { return w > 0; });
-    source.subtitle = words("{1} runs weighted by the surveys, effective number {2}",
-                            {std::to_string(weighted), number(result.effective)});
+    source.subtitle = words("If it happens again: {1} runs with values that agree with the survey",
+                            {std::to_string(runs.members.size() - runs.searched)});
     source.notes = {words("Deeper than {1} m counts", {number(threshold)})};
     if (troubles.are_first())
         source.scenario = headline(troubles).in(words) + ". " + source.subtitle;
@@ -98,9 +96,9 @@ MapSource source_of(const StudyInput& input, std::size_t e, const EventRuns& run
         source.release.insert(source.release.end(), outline.parts.begin(), outline.parts.end());
     }
     source.scar = surveyed(base).survey.scar;
-    if (const auto best = read_record(RecordFiles(runs.records).place(result.best)))
+    if (const auto run = read_record(RecordFiles(runs.records).place(best)))
         source.marks.push_back({words("Best run"),
-                                gis::polygonise(trace_mask(best->raster(Quantity::depth, grid), threshold)),
+                                gis::polygonise(trace_mask(run->raster(Quantity::depth, grid), threshold)),
                                 k_best_colour, 1.8, true});
     return source;
 }
@@ -111,17 +109,22 @@ void publish_calibration_maps(const StudyInput& input, const CalibrationRuns& ru
                               const Troubles& troubles, const ResultDirectory& directory, RunLog& log) {
     for (std::size_t e = 0; e < input.events(); ++e) {
         const Prepared& base = input.own[e].base;
-        const OpenRuns weighted = weighted_runs(runs.events[e], result);
-        const CellWindow window = window_of(weighted.runs, base.scene.grid);
+        const OpenRuns drawn = drawn_runs(runs.events[e]);
+        FinishedMembers finished;
+        for (std::size_t i = 0; i < drawn.runs.size(); ++i)
+            if (runs.events[e].members[runs.events[e].searched + i].failure.empty())
+                finished.records.push_back(drawn.runs.records[i]);
+        finished.weights.assign(finished.size(), 1 / static_cast<double>(finished.size()));
+        const CellWindow window = window_of(finished, base.scene.grid);
         if (window.rows == 0 || window.columns == 0) continue;
         const std::string name = "posterior_" + input.spec().events[e].name;
         MapWriter(base, directory)
-            .write_probabilities(weighted.runs, weighted, part_of(base.scene.grid, window),
+            .write_probabilities(finished, drawn, part_of(base.scene.grid, window),
                                  {Quantity::depth, {observed_threshold(base.spec)}, {name}});
         if (base.spec.output.maps.front() == "off") continue;
         directory.make_folder("maps");
         is_drawn("maps/" + name, log, [&] {
-            const MapSource source = source_of(input, e, runs.events[e], result, window, troubles);
+            const MapSource source = source_of(input, e, runs.events[e], result.events[e].best, window, troubles);
             const MapLayer layer =
                 read_map_layer(directory.path(name + ".tif"), base.spec.output.classes, source.style.words);
             LayerDrawer drawer(source);
@@ -141,51 +144,50 @@ std::string range(double low, double high, const Words& words) {
     return words("{1} to {2}", {number(low, 3), number(high, 3)});
 }
 
-/// A key's name, with its event if others have it not.
-std::string name_of(const StudySpec& calibration, const KeySample& key, const std::string& name, const Words& words) {
-    return key.event.empty() || calibration.events.size() == 1 ? name : words("{1} of {2}", {name, key.event});
-}
-
 Table keys_table(const StudyInput& input, const CalibrationResult& result, const Words& words) {
     const ReportNumbers number(words);
-    Table table({words("Key"), words("distribution before"), words("best"), words("median"), words("90 % after"),
-                 words("width, of that before")});
-    for (std::size_t k = 0; k < result.keys.size(); ++k) {
-        const KeySample& key = result.keys[k];
-        const KeyPosterior& after = result.posteriors[k];
-        const std::string name = name_of(input.spec(), key, key.key, words);
-        std::string probabilities;
-        for (const auto& [value, probability] : after.values)
-            probabilities += (probabilities.empty() ? "" : ", ") + words.labelled(value, number(probability, 2));
-        if (after.nominal)
-            table.row({name, key.prior.text, key.texts[result.best], "", probabilities, ""});
-        else
-            table.row({name, key.prior.text, number(key.numbers[result.best], 4), number(after.median, 3),
-                       range(after.low, after.high, words), number(after.width, 2)});
-    }
+    Table table({words("event"), words("Key"), words("distribution before"), words("best"), words("median"),
+                 words("90 % after"), words("width, of that before")});
+    const auto add = [&](const KeyDraws& draws, const std::string& name, std::size_t e) {
+        for (std::size_t k = 0; k < draws.keys.size(); ++k) {
+            const KeySample& key = draws.keys[k];
+            const KeyPosterior& after = draws.posteriors[k];
+            std::string probabilities, best;
+            if (!draws.event.empty()) {
+                const SampleTable& members = input.own[e].table;
+                const std::size_t member = result.events[e].best;
+                best = after.nominal ? members.values[member][k] : number(members.numbers[member][k], 4);
+            }
+            for (const auto& [value, probability] : after.values)
+                probabilities += (probabilities.empty() ? "" : ", ") + words.labelled(value, number(probability, 2));
+            if (after.nominal)
+                table.row({name, key.key, key.prior.text, best, "", probabilities, ""});
+            else
+                table.row({name, key.key, key.prior.text, best, number(after.median, 3),
+                           range(after.low, after.high, words), number(after.width, 2)});
+        }
+    };
+    for (std::size_t e = 0; e < input.events(); ++e) add(result.events[e].after, input.spec().events[e].name, e);
+    add(result.next, words("a new slope"), 0);
     return table;
 }
 
-std::vector<Cell> scores_row(const std::string& event, const std::string& kind, const Explained& one,
-                             const Words& words) {
-    if (!one.possible) return {event, kind, words("no member finished"), "", "", ""};
+std::vector<Cell> scores_row(const std::string& event, const std::string& kind, const std::string& best,
+                             const Scores& one, const Words& words) {
     const ReportNumbers number(words);
-    return {event,
-            kind,
-            number(one.best_score, 3),
-            number(one.mean, 3),
-            range(one.low, one.high, words),
-            number(one.effective, 3)};
+    return {event, kind, best, number(one.mean, 3) + " ± " + number(k_normal * one.error, 1),
+            range(one.low, one.high, words)};
 }
 
 Table scores_table(const StudyInput& input, const CalibrationResult& result, const Words& words) {
-    Table table({words("event"), words("values"), words("score of the best"), words("mean"), "5–95 %",
-                 words("effective members")});
+    Table table({words("event"), words("values"), words("score of the best"), words("mean"), "5–95 %"});
     for (std::size_t e = 0; e < input.events(); ++e) {
-        const std::string& event = input.spec().events[e].name;
-        table.row(scores_row(event, words("fitted to all surveys"), result.events[e].fitted, words));
-        if (input.events() > 1)
-            table.row(scores_row(event, words("from the other surveys alone"), result.events[e].predicted, words));
+        const std::string& name = input.spec().events[e].name;
+        const EventResult& event = result.events[e];
+        table.row(scores_row(name, words("if it happens again"), ReportNumbers(words)(event.best_score, 3),
+                             event.fitted, words));
+        if (event.predicted)
+            table.row(scores_row(name, words("from the other surveys alone"), "", *event.predicted, words));
     }
     return table;
 }
@@ -199,7 +201,7 @@ Table misfits_table(const StudyInput& input, const CalibrationRuns& runs, const 
         for (std::size_t m = 0; m < event.measures.size(); ++m) {
             const MeasureRow& measure = row_of(event.measures[m].measure);
             table.row({input.spec().events[e].name, measure.name, number(event.measures[m].weight),
-                       number(event.agreements[result.best].parts[m], 3)});
+                       number(event.agreements[result.events[e].best].parts[m], 3)});
         }
     }
     return table;
@@ -208,7 +210,7 @@ Table misfits_table(const StudyInput& input, const CalibrationRuns& runs, const 
 Table failures_table(const StudyInput& input, const CalibrationRuns& runs, const Words& words) {
     Table table({words("member"), words("event"), words("reason")});
     for (std::size_t e = 0; e < input.events(); ++e)
-        for (std::size_t i = 0; i < runs.size(); ++i)
+        for (std::size_t i = 0; i < runs.events[e].members.size(); ++i)
             if (const std::string& why = runs.events[e].members[i].failure; !why.empty())
                 table.row({std::to_string(i), input.spec().events[e].name, why});
     return table;
@@ -217,22 +219,31 @@ Table failures_table(const StudyInput& input, const CalibrationRuns& runs, const
 Table facts_table(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
                   const Words& words) {
     const ReportNumbers number(words);
-    std::vector<std::string> cells;
-    for (const StudyInput& event : input.own) cells.push_back(number(event.base.scene.grid.cell_size));
+    std::vector<std::string> cells, moves;
+    std::size_t searched = 0, design = 0;
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        const EventRuns& event = runs.events[e];
+        cells.push_back(number(input.own[e].base.scene.grid.cell_size));
+        moves.push_back(number(100 * event.moves[0], 2) + ", " + number(100 * event.moves[1], 2));
+        searched += event.searched;
+        design += event.design;
+    }
     Table table;
     table.row({words("Runs"), words("{1}, of which {2} spread over the distributions",
-                                    {std::to_string(runs.size()), std::to_string(runs.design)})});
-    table.row({words("Effective number"), number(result.effective, 3)});
+                                    {std::to_string(searched), std::to_string(design)})});
+    table.row({words("Runs of the forecast"), std::to_string(runs.runs().size() - searched)});
     table.row({with_unit(words("Cell size"), "m"), joined(cells, ", ")});
     if (const std::size_t failed = failed_of(runs.runs()); failed > 0)
         table.row({words("Failed runs"), std::to_string(failed)}, "warning");
-    table.row({words("Last moves of the intervals [%]"),
-               number(100 * runs.moves[0], 2) + ", " + number(100 * runs.moves[1], 2)});
-    for (const Sentence& pair : result.sentences) table.row({words("Not told apart"), pair.in(words)});
-    for (std::size_t e = 0; e < input.events(); ++e)
-        if (const auto& check = result.scheme_checks[e])
-            for (const auto& [name, value] : rows_of(*check))
-                table.row({worded("{1}: {2}", {input.spec().events[e].name, name}).in(words), value.in(words)});
+    table.row({words("Last moves of the intervals [%]"), joined(moves, "; ")});
+    if (result.spread) table.row({words("Spread between slopes"), result.spread->in(words)});
+    for (const EventResult& event : result.events) {
+        for (const Sentence& pair : sentences(event.after.posteriors, event.after.indistinct))
+            table.row({words("Not told apart"), pair.in(words)});
+        if (event.scheme_check)
+            for (const auto& [name, value] : rows_of(*event.scheme_check))
+                table.row({worded("{1}: {2}", {event.after.event, name}).in(words), value.in(words)});
+    }
     table.row({words("Limitations"), words("These events and this model; a fit, not a forecast")});
     return table;
 }
@@ -255,12 +266,12 @@ Table likelihood_table(const StudyInput& input, const CalibrationRuns& runs, con
     Table table({words("event"), words("pieces of information"), "Q2", words("factor of the stated errors"),
                  words("not counted")});
     for (std::size_t e = 0; e < input.events(); ++e) {
-        const bool is_stated = runs.events[e].pieces > 0;
+        const bool is_stated = runs.events[e].is_stated();
         table.row(
             {input.spec().events[e].name,
              is_stated ? number(runs.events[e].pieces, 3) : words("{1} (assumed)", {number(input.spec().exponent, 3)}),
-             number(result.q2[e], 2), is_stated ? number(result.widening[e], 2) : "",
-             joined(result.uncounted[e], ", ")});
+             number(runs.models[e].q2(), 2), is_stated ? number(runs.models[e].widening(), 2) : "",
+             joined(result.events[e].uncounted, ", ")});
     }
     return table;
 }
@@ -285,20 +296,21 @@ struct CalibrationData {
     const CalibrationResult& result;
 };
 
-/// The distribution of a key's values before the calibration and after it.
-render::ChartPanel posterior_panel(const CalibrationData& data, const KeySample& key, const Words& words) {
+/// The distribution of a key's values before the calibration, and after it for each event and another slope.
+render::ChartPanel posterior_panel(const CalibrationData& data, const Variation& key, const Words& words) {
     constexpr int k_parts = 40;  // of the distribution before
     const Parameter* const parameter = find_parameter(scene_parameters(), key.key);
-    const std::string title = name_of(data.input.spec(), key, title_in(key.key, words), words);
+    const std::string title = title_in(key.key, words);
     render::ChartPanel panel{title,
                              with_unit(title, parameter == nullptr ? "" : parameter->unit),
                              with_unit(words("Probability"), ""),
                              {},
                              {0, 1}};
-    panel.x = key.prior.law == Law::log_uniform || key.prior.law == Law::log_normal ? render::Scale::logarithmic
-                                                                                    : render::Scale::linear;
+    panel.x = key.distribution.law == Law::log_uniform || key.distribution.law == Law::log_normal
+                  ? render::Scale::logarithmic
+                  : render::Scale::linear;
     StudySpec alone;
-    alone.vary.push_back({key.key, key.prior});
+    alone.vary.push_back(key);
     Places places;
     for (int i = 0; i <= k_parts; ++i) places.push_back({std::clamp(i / double{k_parts}, 1e-6, 1 - 1e-6)});
     Problems none;
@@ -306,23 +318,38 @@ render::ChartPanel posterior_panel(const CalibrationData& data, const KeySample&
     render::ChartSeries before{words("before"), {150, 150, 150}, {}};
     before.stroke = render::Stroke::dashed;
     for (std::size_t i = 0; i < places.size(); ++i) before.points.push_back({prior.numbers[i][0], places[i][0]});
-    render::ChartSeries after{words("after"), render::k_chart_colours[0], {}, 2.6};
-    for (const Point& point : exceedance_curve(key.numbers, data.result.weights_after))
-        after.points.push_back({point.x, 1 - point.y});
-    panel.series = {std::move(before), std::move(after)};
+    panel.series.push_back(std::move(before));
+    const auto add = [&](const KeyDraws& draws, const std::string& name, double width) {
+        for (const KeySample& one : draws.keys) {
+            if (one.key != key.key) continue;
+            const std::size_t colour = (panel.series.size() - 1) % std::size(render::k_chart_colours);
+            render::ChartSeries after{name, render::k_chart_colours[colour], {}, width};
+            for (const Point& point : exceedance_curve(one.numbers, draws.weights))
+                after.points.push_back({point.x, 1 - point.y});
+            panel.series.push_back(std::move(after));
+        }
+    };
+    for (const EventResult& event : data.result.events) add(event.after, event.after.event, 1.6);
+    add(data.result.next, words("a new slope"), 2.6);
     return panel;
 }
 
 std::optional<render::Chart> posterior(const CalibrationData& data, const std::string& title, const MapSource& source) {
     constexpr std::size_t k_most_panels = 9;
-    std::vector<const KeySample*> keys;
-    for (const KeySample& key : data.result.after)
-        if (!key.prior.is_nominal() && keys.size() < k_most_panels) keys.push_back(&key);
+    std::vector<Variation> keys;
+    const auto add = [&](const std::vector<Variation>& more) {
+        for (const Variation& key : more)
+            if (!key.distribution.is_nominal() && keys.size() < k_most_panels &&
+                std::none_of(keys.begin(), keys.end(), [&](const Variation& one) { return one.key == key.key; }))
+                keys.push_back(key);
+    };
+    add(data.input.spec().vary);
+    for (const EventSpec& event : data.input.spec().events) add(event.vary);
     if (keys.empty()) return std::nullopt;
     const Words& words = source.style.words;
     render::Chart chart =
         chart_sheet(source, title, words("probability that the value is smaller"), "posterior.csv", keys.size());
-    for (const KeySample* key : keys) chart.panels.push_back(posterior_panel(data, *key, words));
+    for (const Variation& key : keys) chart.panels.push_back(posterior_panel(data, key, words));
     return chart;
 }
 

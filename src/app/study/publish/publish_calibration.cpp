@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/study/publish/publish_calibration.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -25,67 +26,78 @@
 namespace frana::app::study {
 namespace {
 
-/// The scores at one event, 0 for members that failed there.
-std::vector<double> scores_at(const std::vector<std::vector<double>>& misfits, std::size_t event) {
-    std::vector<double> scores;
-    for (const auto& one : misfits) scores.push_back(std::isnan(one[event]) ? 0 : 1 - one[event]);
-    return scores;
-}
-
-/// The keys with their values in the members.
-/// @param table_of of an event's members
-template <class TableOf>
-std::vector<KeySample> key_samples(const StudySpec& calibration, const TableOf& table_of) {
-    std::vector<KeySample> keys;
-    const auto add = [&](const Variation& one, const std::string& event, const SampleTable& table, std::size_t column) {
-        KeySample& key = keys.emplace_back(KeySample{one.key, event, one.distribution, {}, {}, {}});
-        for (std::size_t i = 0; i < table.size(); ++i) {
-            key.places.push_back(table.places[i][column]);
-            key.numbers.push_back(table.numbers[i][column]);
-            key.texts.push_back(table.values[i][column]);
-        }
-    };
-    const std::size_t shared = calibration.vary.size();
-    for (std::size_t e = 0; e < calibration.events.size(); ++e) {
-        const SampleTable& table = table_of(e);
-        for (std::size_t k = 0; k < shared && e == 0; ++k) add(calibration.vary[k], "", table, k);
-        const EventSpec& event = calibration.events[e];
-        for (std::size_t k = 0; k < event.vary.size(); ++k) add(event.vary[k], event.name, table, shared + k);
-    }
-    return keys;
-}
-
-/// The same of a posterior's sample.
-std::vector<KeySample> key_samples(const StudyReading& reading, const Places& places) {
+/// @param study of the keys, in the order of the places' coordinates
+KeyDraws key_draws(const StudyReading& reading, const StudySpec& study, const std::string& event,
+                   const PosteriorSample& sample) {
     Problems of_values;  // told of the members
-    return key_samples(reading.study, [&](std::size_t e) { return members_at(reading, e, places, of_values); });
+    const SampleTable table = samples_at(study, sample.places, reading.label, of_values);
+    KeyDraws draws{event, {}, sample.weights, {}, {}, {}};
+    for (std::size_t k = 0; k < study.vary.size(); ++k) {
+        KeySample& key =
+            draws.keys.emplace_back(KeySample{study.vary[k].key, event, study.vary[k].distribution, {}, {}, {}});
+        for (std::size_t i = 0; i < table.size(); ++i) {
+            key.places.push_back(table.places[i][k]);
+            key.numbers.push_back(table.numbers[i][k]);
+            key.texts.push_back(table.values[i][k]);
+        }
+    }
+    draws.posteriors = key_posteriors(draws.keys, draws.weights);
+    draws.indistinct = indistinct_pairs(draws.keys, draws.weights);
+    draws.draws = samples_at(study, evenly_drawn(sample, k_draws), reading.label, of_values);
+    return draws;
 }
 
-/// @param sample as the model draws it without that event, and its posteriors
-Explained explained(const CalibrationRuns& runs, const CalibrationModel& model, const PosteriorSample& sample,
-                    std::vector<KeyPosterior> posteriors, std::size_t event, std::optional<std::size_t> without) {
-    Explained result;
-    const auto misfits = runs.misfits();
-    std::vector<double> weights = model.member_weights(sample, without);
-    if (without) {  // members that failed at the event itself predict nothing of it
-        for (std::size_t i = 0; i < weights.size(); ++i)
-            if (std::isnan(misfits[i][event])) weights[i] = 0;
-        const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
-        if (sum > 0)
-            for (double& weight : weights) weight /= sum;
-    }
-    const auto best = model.best(without);
-    result.effective = effective_count(weights);
-    if (!best || result.effective == 0) return result;
-    const std::vector<double> scores = scores_at(misfits, event);
-    result.possible = true;
-    result.best = *best;
-    result.best_score = scores[*best];
-    result.mean = std::inner_product(scores.begin(), scores.end(), weights.begin(), 0.0);
-    result.low = weighted_quantile(scores, weights, 0.05);
-    result.high = weighted_quantile(scores, weights, 0.95);
-    result.posteriors = std::move(posteriors);
+/// Another slope: the keys that all events have.
+KeyDraws next_slope(const StudyReading& reading, const Places& places) {
+    StudySpec next = reading.study.of_event(0);
+    next.vary = reading.study.vary;
+    std::erase_if(next.correlate, [&](const Correlation& one) {
+        return std::count_if(next.vary.begin(), next.vary.end(),
+                             [&](const Variation& key) { return key.key == one.first || key.key == one.second; }) < 2;
+    });
+    return key_draws(reading, next, "",
+                     {places, std::vector<double>(places.size(), 1 / static_cast<double>(places.size()))});
+}
+
+Scores scores_of(const std::vector<double>& scores, double variance_of_each = 0) {
+    const auto count = static_cast<double>(scores.size());
+    const std::vector<double> weights(scores.size(), 1 / count);
+    Scores result{0, weighted_quantile(scores, weights, 0.05), weighted_quantile(scores, weights, 0.95), 0};
+    result.mean = std::accumulate(scores.begin(), scores.end(), 0.0) / count;
+    for (const double one : scores) result.error += std::pow((one - result.mean) / count, 2);
+    result.error = std::sqrt(result.error + variance_of_each);
     return result;
+}
+
+/// Predicts the scores at an event from the surveys of the others. Its own keys keep their distributions.
+void predict(const StudyInput& input, const CalibrationRuns& runs, std::size_t event, EventResult& result) {
+    const EventRuns& own = runs.events[event];
+    std::vector<PosteriorSample> others = runs.alone;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(event));
+    std::vector<Distribution> shared, all;
+    const StudySpec& calibration = input.spec();
+    for (const Variation& one : calibration.vary) shared.push_back(one.distribution);
+    for (const Variation& one : calibration.of_event(event).vary) all.push_back(one.distribution);
+    const Places next = population_of(shared, std::move(others), calibration.seed).next;
+    const KeyDraws draws = next_slope(input.reading, next);
+    result.predicted_keys = draws.posteriors;
+    Places places =
+        evenly_drawn({next, std::vector<double>(next.size(), 1 / static_cast<double>(next.size()))}, k_draws);
+    if (StudySpec of_own = calibration; !calibration.events[event].vary.empty()) {
+        of_own.vary = calibration.events[event].vary;
+        of_own.samples = static_cast<std::int64_t>(places.size());
+        const Places drawn = draw_places(of_own);
+        for (std::size_t i = 0; i < places.size(); ++i)
+            places[i].insert(places[i].end(), drawn[i].begin(), drawn[i].end());
+    }
+    std::vector<double> misfits, scores;
+    for (std::size_t i = 0; i < own.searched; ++i) misfits.push_back(own.agreements[i].misfit);
+    double variance = 0;
+    for (const Prediction& one : emulator_of(all, own.places, misfits).at(places)) {
+        scores.push_back(1 - std::min(one.mean, 1.0));
+        variance += one.variance / static_cast<double>(places.size());
+    }
+    result.predicted = scores_of(scores, variance);
 }
 
 Sentence short_number(double value, int digits = 3) {
@@ -107,93 +119,111 @@ std::vector<std::string> uncounted(const StudyInput& input, const CalibrationRun
     return names;
 }
 
-/// Fills in what the likelihood rests on, and what is doubtful.
-void judge(const StudyInput& input, const CalibrationRuns& runs, const CalibrationModel& model,
-           CalibrationResult& result) {
-    for (std::size_t e = 0; e < input.events(); ++e) {
-        const std::string& name = input.spec().events[e].name;
-        const bool is_stated = runs.events[e].pieces > 0;
-        result.uncounted.push_back(is_stated ? uncounted(input, runs, e) : std::vector<std::string>{});
-        if (const double factor = result.widening.emplace_back(model.widening(e)); factor > 1)
-            result.doubts.push_back(worded("{1}: best run off by {2} times the survey's error: error raised",
-                                           {name, short_number(factor, 2)}));
-        if (!(result.q2[e] >= k_least_q2))
-            result.doubts.push_back(worded("{1}: emulator Q2 {2}, under {3}: raise study.samples or narrow [vary]",
-                                           {name, short_number(result.q2[e], 2), short_number(k_least_q2)}));
+/// How far inside or outside of all runs the outline of an event is, if that explains it: a shift of the outline has
+/// one value, so that without one chi^2 is less by more than 3.84 in one of 20 surveys only.
+std::optional<double> outline_bias(const EventRuns& runs) {
+    constexpr double k_unlikely = 3.84;
+    const MemberAgreement *best = nullptr, *shifted = nullptr;
+    for (std::size_t i = 0; i < runs.searched; ++i) {
+        const MemberAgreement& one = runs.agreements[i];
+        if (std::isnan(one.chi_square)) continue;
+        if (best == nullptr || one.chi_square < best->chi_square) best = &one;
+        if (shifted == nullptr || one.unshifted < shifted->unshifted) shifted = &one;
     }
-    if (!runs.has_settled())
-        result.doubts.push_back(worded("intervals not within {2} % after {1} members: raise study.samples",
-                                       {std::to_string(runs.size()), short_number(100 * k_settled)}));
+    if (best == nullptr || !(best->chi_square - shifted->unshifted > k_unlikely)) return std::nullopt;
+    return shifted->outside;
+}
+
+/// Says what is doubtful of the search and the survey of an event.
+void judge(const StudyInput& input, const CalibrationRuns& runs, std::size_t e, std::vector<StudyDoubt>& doubts) {
+    const std::string& name = input.spec().events[e].name;
+    const EventRuns& event = runs.events[e];
+    const double factor = runs.models[e].widening(), q2 = runs.models[e].q2();
+    if (factor > 1)
+        doubts.push_back({"survey-error", name, "", factor,
+                          worded("{1}: best run off by {2} times the survey's error: error raised",
+                                 {name, short_number(factor, 2)})});
+    if (const auto outside = event.is_stated() ? outline_bias(event) : std::nullopt)
+        doubts.push_back({"outline-bias", name, "", *outside,
+                          *outside > 0
+                              ? worded("{1}: outline {2} m outside of all runs: check it, or state perimeter-bias",
+                                       {name, short_number(*outside, 2)})
+                              : worded("{1}: outline {2} m inside of all runs: check it, or state perimeter-bias",
+                                       {name, short_number(-*outside, 2)})});
+    if (!(q2 >= k_least_q2))
+        doubts.push_back({"emulator", name, "", q2,
+                          worded("{1}: emulator Q2 {2}, under {3}: raise study.samples or narrow [vary]",
+                                 {name, short_number(q2, 2), short_number(k_least_q2)})});
+    if (!event.has_settled())
+        doubts.push_back({"unsettled", name, "", event.moves[1],
+                          worded("{1}: intervals not within {2} % after {3} members: raise study.samples",
+                                 {name, short_number(100 * k_settled), std::to_string(event.searched)})});
 }
 
 }  // namespace
 
-std::string column_of(const StudySpec& calibration, const KeySample& key) {
-    return key.event.empty() || calibration.events.size() == 1 ? key.key : key.key + " of " + key.event;
-}
-
 CalibrationResult calibration_result(const StudyInput& input, const CalibrationRuns& runs) {
-    const CalibrationModel model = model_of(input.spec(), runs);
-    const PosteriorSample sample = model.sample();
+    const StudySpec& calibration = input.spec();
     CalibrationResult result;
-    result.best = *model.best();  // run_calibration() ends without one
-    result.q2 = model.q2();
-    result.weights = model.member_weights(sample);
-    result.effective = effective_count(result.weights);
-    result.keys = key_samples(input.spec(), [&](std::size_t e) -> const SampleTable& { return input.own[e].table; });
-    result.after = key_samples(input.reading, sample.places);
-    result.weights_after = sample.weights;
-    result.posteriors = key_posteriors(result.after, sample.weights);
-    result.indistinct = indistinct_pairs(result.after, sample.weights);
-    result.sentences = sentences(result.posteriors, result.indistinct);
     if (troubles_of(runs.runs(), false).open > 0)
-        result.doubts.push_back(worded("scores and posterior are of flows partly unfinished: raise time.end"));
-    judge(input, runs, model, result);
-    for (Sentence& doubt : edge_doubts(result.posteriors)) result.doubts.push_back(std::move(doubt));
-    if (const auto few = few_members(result.effective)) result.doubts.push_back(*few);
+        result.doubts.push_back(
+            {"unfinished", "", "", 0, worded("scores and posterior are of flows partly unfinished: raise time.end")});
     for (std::size_t e = 0; e < input.events(); ++e) {
+        const EventRuns& of_event = runs.events[e];
         EventResult& event = result.events.emplace_back();
-        event.fitted = explained(runs, model, sample, {}, e, std::nullopt);
-        if (input.events() == 1) continue;
-        const PosteriorSample of_others = model.sample(e);
-        event.predicted =
-            explained(runs, model, of_others,
-                      key_posteriors(key_samples(input.reading, of_others.places), of_others.weights), e, e);
+        event.after =
+            key_draws(input.reading, calibration.of_event(e), calibration.events[e].name, runs.population.events[e]);
+        event.best = *runs.models[e].best();  // run_calibration() ends without one
+        event.best_score = 1 - of_event.agreements[event.best].misfit;
+        std::vector<double> scores;
+        for (std::size_t i = of_event.searched; i < of_event.agreements.size(); ++i)
+            scores.push_back(std::isnan(of_event.agreements[i].misfit) ? 0 : 1 - of_event.agreements[i].misfit);
+        event.fitted = scores_of(scores);
+        if (of_event.is_stated()) event.uncounted = uncounted(input, runs, e);
+        if (input.events() > 1) predict(input, runs, e, event);
+        judge(input, runs, e, result.doubts);
+        for (StudyDoubt& doubt : edge_doubts(event.after.posteriors)) result.doubts.push_back(std::move(doubt));
     }
+    result.next = next_slope(input.reading, runs.population.next);
+    constexpr std::size_t k_enough = 5;  // Gelman 2006
+    if (input.events() == 1)
+        result.spread = worded("new-slope: spread between slopes assumed, one event tells nothing of it");
+    else if (input.events() < k_enough)
+        result.spread =
+            worded("new-slope: spread between slopes known from {1} events only", {std::to_string(input.events())});
     return result;
 }
 
 namespace {
 
-/// Mean over the events of a member's scores; NaN if it failed at one.
-double score_of(const std::vector<double>& misfits) {
-    double sum = 0;
-    for (const double misfit : misfits) sum += 1 - misfit;
-    return sum / static_cast<double>(misfits.size());
+/// The keys of all events, each once.
+std::vector<std::string> keys_of(const StudySpec& calibration) {
+    std::vector<std::string> all;
+    for (const Variation& one : calibration.vary) all.push_back(one.key);
+    for (const EventSpec& event : calibration.events)
+        for (const Variation& one : event.vary)
+            if (std::find(all.begin(), all.end(), one.key) == all.end()) all.push_back(one.key);
+    return all;
+}
+
+/// Adds a member's values to a row, empty where the key is not one of its own.
+void add_values(const std::vector<std::string>& keys, const SampleTable& table, std::size_t member,
+                std::vector<std::string>& row) {
+    for (const std::string& key : keys) {
+        const auto found = std::find(table.keys.begin(), table.keys.end(), key);
+        row.push_back(found == table.keys.end()
+                          ? ""
+                          : table.values[member][static_cast<std::size_t>(found - table.keys.begin())]);
+    }
 }
 
 std::string cell(double value) {
     return std::isnan(value) ? "" : shortest_text(value);
 }
 
-/// How a member's runs ended: the worst of the events.
-MemberEnd end_of(const CalibrationRuns& runs, std::size_t member) {
-    MemberEnd worst;
-    for (const EventRuns& event : runs.events) {
-        const MemberEnd& end = event.members[member].end;
-        worst.stop_reason += (&event == &runs.events.front() ? "" : "; ") + end.stop_reason;
-        worst.moving_fraction = std::max(worst.moving_fraction, end.moving_fraction);
-        worst.left_fraction = std::max(worst.left_fraction, end.left_fraction);
-        worst.energy_error = std::fmax(worst.energy_error, end.energy_error);
-        worst.warnings.insert(worst.warnings.end(), end.warnings.begin(), end.warnings.end());
-    }
-    return worst;
-}
-
-Json json_of(const KeyPosterior& key, const std::string& best) {
-    Json json{{"key", key.key}};
+Json json_of(const KeyPosterior& key) {
+    Json json{{"for", key.event.empty() ? k_new_slope : k_this_event}, {"key", key.key}};
     if (!key.event.empty()) json["event"] = key.event;
-    json["best"] = best;
     if (key.nominal) {
         for (const auto& [value, probability] : key.values) json["probabilities"][value] = probability;
         return json;
@@ -207,157 +237,175 @@ Json json_of(const KeyPosterior& key, const std::string& best) {
     return json;
 }
 
-Json json_of(const CalibrationResult& result, const Explained& one) {
-    if (!one.possible) return nullptr;
-    Json json{{"best_member", one.best}, {"best_score", one.best_score},
-              {"mean_score", one.mean},  {"q05", one.low},
-              {"q95", one.high},         {"effective_members", one.effective}};
-    for (std::size_t k = 0; k < one.posteriors.size(); ++k)
-        json["intervals"].push_back(json_of(one.posteriors[k], result.keys[k].texts[one.best]));
-    return json;
+Json json_of(const Scores& scores) {
+    return {{"mean_score", scores.mean}, {"q05", scores.low}, {"q95", scores.high}, {"standard_error", scores.error}};
 }
 
-/// Lines before the header: who reads the table reads its doubts, and `frana ensemble` repeats them.
-std::string doubt_lines(const CalibrationRuns& runs, const CalibrationResult& result) {
+/// Returns posterior.csv: k_draws equal draws for each event again, and as many for another slope, which an ensemble
+/// takes with sampling = table:FILE and study.for. Lines before the header say what is doubtful: it repeats them.
+std::string posterior_csv(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result) {
     const Troubles troubles = troubles_of(runs.runs(), false);
     std::string text = troubles.any() ? "# " + one_line(headline(troubles).text()) + "\n" : "";
-    for (const Sentence& doubt : result.doubts) text += "# " + one_line(doubt.text()) + "\n";
+    for (const StudyDoubt& doubt : result.doubts) text += "# " + one_line(doubt.text.text()) + "\n";
+    if (result.spread) text += "# " + one_line(result.spread->text()) + "\n";
+    const std::vector<std::string> keys = keys_of(input.spec());
+    std::vector<std::string> heads{k_for_column, k_event_column};
+    heads.insert(heads.end(), keys.begin(), keys.end());
+    text += csv_line(heads);
+    const auto add = [&](const KeyDraws& draws) {
+        for (std::size_t i = 0; i < draws.draws.size(); ++i) {
+            std::vector<std::string> row{draws.event.empty() ? k_new_slope : k_this_event, draws.event};
+            add_values(keys, draws.draws, i, row);
+            text += csv_line(row);
+        }
+    };
+    for (const EventResult& event : result.events) add(event.after);
+    add(result.next);
     return text;
 }
 
-/// Returns posterior.csv: a row for each member with its weight, score, values and misfits. A column
-/// of a shared key has the key's name, so that `frana ensemble` takes the file with sampling = table:FILE.
-std::string posterior_csv(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result) {
+/// Returns members.csv: a row for each run of each event with its values, score and misfits, and how it ended.
+std::string members_csv(const StudyInput& input, const CalibrationRuns& runs) {
     const StudySpec& calibration = input.spec();
-    std::vector<std::string> heads{"member", "status", "weight", "score"};
-    for (const KeySample& key : result.keys) heads.push_back(column_of(calibration, key));
-    for (std::size_t e = 0; e < input.events(); ++e) {
-        heads.push_back("score " + calibration.events[e].name);
-        for (const Weight& one : runs.events[e].measures)
-            heads.push_back(std::string("misfit ") + row_of(one.measure).name + " " + calibration.events[e].name);
-    }
+    const std::vector<std::string> keys = keys_of(calibration);
+    std::vector<std::string> heads{"event", "member", "use", "status", "score"};
+    heads.insert(heads.end(), keys.begin(), keys.end());
+    for (const Weight& one : calibration.objective) heads.push_back(std::string("misfit ") + row_of(one.measure).name);
     heads.emplace_back("engine_seconds");
     heads.insert(heads.end(), std::begin(k_end_columns), std::end(k_end_columns));
     heads.emplace_back("reason");
-    std::string text = doubt_lines(runs, result) + csv_line(heads);
-    const auto misfits = runs.misfits();
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        const double score = score_of(misfits[i]);
-        std::vector<std::string> row{std::to_string(i), std::isnan(score) ? "failed" : "finished",
-                                     shortest_text(result.weights[i]), cell(score)};
-        for (const KeySample& key : result.keys) row.push_back(key.texts[i]);
-        std::string reason;
-        double seconds = 0;
-        for (std::size_t e = 0; e < input.events(); ++e) {
-            const MemberRecord& one = runs.events[e].members[i];
-            row.push_back(cell(1 - misfits[i][e]));
-            for (std::size_t m = 0; m < runs.events[e].measures.size(); ++m)
-                row.push_back(one.failure.empty() ? shortest_text(runs.events[e].agreements[i].parts[m]) : "");
-            if (!one.failure.empty())
-                reason += (reason.empty() ? "" : "; ") + calibration.events[e].name + ": " + one.failure;
-            seconds += one.engine_seconds;
+    std::string text = csv_line(heads);
+    for (std::size_t e = 0; e < input.events(); ++e) {
+        const EventRuns& event = runs.events[e];
+        for (std::size_t i = 0; i < event.members.size(); ++i) {
+            const MemberRecord& one = event.members[i];
+            std::vector<std::string> row{
+                calibration.events[e].name, std::to_string(i), i < event.searched ? "search" : "forecast",
+                one.failure.empty() ? "finished" : "failed", cell(1 - event.agreements[i].misfit)};
+            add_values(keys, input.own[e].table, i, row);
+            for (const Weight& measure : calibration.objective) {
+                const auto found = std::find_if(event.measures.begin(), event.measures.end(),
+                                                [&](const Weight& own) { return own.measure == measure.measure; });
+                row.push_back(
+                    found == event.measures.end() || !one.failure.empty()
+                        ? ""
+                        : cell(event.agreements[i].parts[static_cast<std::size_t>(found - event.measures.begin())]));
+            }
+            row.push_back(shortest_text(one.engine_seconds));
+            for (std::string& value : end_values(one.end)) row.push_back(std::move(value));
+            row.push_back(one.failure);
+            text += csv_line(row);
         }
-        row.push_back(shortest_text(seconds));
-        for (std::string& one : end_values(end_of(runs, i))) row.push_back(std::move(one));
-        row.push_back(reason);
-        text += csv_line(row);
     }
     return text;
 }
 
-/// The same for one event that has keys of its own: all its keys by their names.
-std::string event_posterior_csv(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
-                                std::size_t event) {
-    const SampleTable& table = input.own[event].table;
-    std::vector<std::string> heads{"member", "weight", "score"};
-    heads.insert(heads.end(), table.keys.begin(), table.keys.end());
-    std::string text = doubt_lines(runs, result) + csv_line(heads);
-    for (std::size_t i = 0; i < table.size(); ++i) {
-        std::vector<std::string> row{std::to_string(i), shortest_text(result.weights[i]),
-                                     cell(1 - runs.events[event].agreements[i].misfit)};
-        row.insert(row.end(), table.values[i].begin(), table.values[i].end());
-        text += csv_line(row);
+Json event_json(const StudyInput& input, const CalibrationRuns& all, const CalibrationResult& result, std::size_t e) {
+    const StudySpec& calibration = input.spec();
+    const EventRuns& runs = all.events[e];
+    const EventResult& event = result.events[e];
+    Json json{{"name", calibration.events[e].name},
+              {"scene", calibration.events[e].scene},
+              {"cell_size", input.own[e].base.scene.grid.cell_size},
+              {"members", runs.searched},
+              {"has_settled", runs.has_settled()},
+              {"moves", {runs.moves[0], runs.moves[1]}},
+              {"stated_errors", runs.is_stated()},
+              {"pieces", runs.is_stated() ? runs.pieces : calibration.exponent},
+              {"q2", all.models[e].q2()},
+              {"error_factor", all.models[e].widening()},
+              {"uncounted", event.uncounted},
+              {"best_member", event.best},
+              {"best_score", event.best_score},
+              {"fitted", json_of(event.fitted)}};
+    const SampleTable& table = input.own[e].table;
+    for (std::size_t k = 0; k < table.keys.size(); ++k) json["best"][table.keys[k]] = table.values[event.best][k];
+    if (runs.observed_runout > 0) json["observed_runout_m"] = runs.observed_runout;
+    const MemberAgreement& best = runs.agreements[event.best];
+    if (runs.is_stated()) json["best_chi_square"] = best.chi_square;
+    for (std::size_t m = 0; m < runs.measures.size(); ++m)
+        json["best_misfits"][row_of(runs.measures[m].measure).name] = best.parts[m];
+    json["scheme"] = scheme_json(input.own[e]);
+    if (event.scheme_check) json["scheme_check"] = check_json(*event.scheme_check);
+    if (event.predicted) {
+        json["leave_one_out"] = json_of(*event.predicted);
+        for (const KeyPosterior& key : event.predicted_keys) json["leave_one_out"]["intervals"].push_back(json_of(key));
     }
-    return text;
+    return json;
 }
 
-/// Returns calibration.json: best values, intervals, scores by event, fitted and predicted. No wall time is in it.
+/// Returns calibration.json: intervals, scores by event, fitted and predicted. No wall time is in it.
 std::string calibration_json(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result) {
     const StudySpec& calibration = input.spec();
-    const auto misfits = runs.misfits();
-    Json json{{"format", k_result_format},
-              {"members", runs.size()},
-              {"effective_members", result.effective},
-              {"has_settled", runs.has_settled()},
-              {"best_member", result.best},
-              {"best_score", score_of(misfits[result.best])}};
+    double best = 0;
+    for (const EventResult& event : result.events) best += event.best_score / static_cast<double>(input.events());
+    Json json{{"format", k_result_format}, {"best_score", best}};
     Json& objective = json["objective"] = Json::object();
     for (const Weight& one : calibration.objective) objective[row_of(one.measure).name] = one.weight;
-    Json& keys = json["intervals"] = Json::array();
-    for (std::size_t k = 0; k < result.posteriors.size(); ++k)
-        keys.push_back(json_of(result.posteriors[k], result.keys[k].texts[result.best]));
-    Json& pairs = json["indistinct"] = Json::array();
-    for (const IndistinctPair& pair : result.indistinct)
-        pairs.push_back({{"first", column_of(calibration, result.keys[pair.first])},
-                         {"second", column_of(calibration, result.keys[pair.second])},
-                         {"correlation", pair.correlation}});
-    Json& events = json["events"] = Json::array();
+    json["intervals"] = json["indistinct"] = json["events"] = json["warnings"] = Json::array();
+    const auto add = [&](const KeyDraws& draws) {
+        for (const KeyPosterior& key : draws.posteriors) json["intervals"].push_back(json_of(key));
+        for (const IndistinctPair& pair : draws.indistinct)
+            json["indistinct"].push_back({{"event", draws.event},
+                                          {"first", draws.keys[pair.first].key},
+                                          {"second", draws.keys[pair.second].key},
+                                          {"correlation", pair.correlation}});
+    };
     for (std::size_t e = 0; e < input.events(); ++e) {
-        const EventRuns& runs_of_event = runs.events[e];
-        Json event{{"name", calibration.events[e].name},
-                   {"scene", calibration.events[e].scene},
-                   {"cell_size", input.own[e].base.scene.grid.cell_size},
-                   {"stated_errors", runs_of_event.pieces > 0},
-                   {"pieces", runs_of_event.pieces > 0 ? runs_of_event.pieces : calibration.exponent},
-                   {"q2", result.q2[e]},
-                   {"error_factor", result.widening[e]},
-                   {"uncounted", result.uncounted[e]},
-                   {"fitted", json_of(result, result.events[e].fitted)}};
-        if (runs_of_event.observed_runout > 0) event["observed_runout_m"] = runs_of_event.observed_runout;
-        const MemberAgreement& best = runs_of_event.agreements[result.best];
-        for (std::size_t m = 0; m < runs_of_event.measures.size(); ++m)
-            event["best_misfits"][row_of(runs_of_event.measures[m].measure).name] = best.parts[m];
-        event["scheme"] = scheme_json(input.own[e]);
-        if (const auto& check = result.scheme_checks[e]) event["scheme_check"] = check_json(*check);
-        if (input.events() > 1) event["leave_one_out"] = json_of(result, result.events[e].predicted);
-        events.push_back(std::move(event));
+        add(result.events[e].after);
+        json["events"].push_back(event_json(input, runs, result, e));
     }
-    for (const double move : runs.moves) json["moves"].push_back(move);
-    json["doubts"] = texts_of(result.doubts);
+    add(result.next);
+    // Of the population of slopes: parts of the distributions' own spread.
+    for (std::size_t k = 0; k < calibration.vary.size(); ++k)
+        if (const Population& of = runs.population; !std::isnan(of.spread[k]))
+            json["spread"].push_back({{"key", calibration.vary[k].key},
+                                      {"from", input.events() > 1 ? "events" : "assumed"},
+                                      {"q05", of.spread_low[k]},
+                                      {"q50", of.spread[k]},
+                                      {"q95", of.spread_high[k]}});
+    for (const StudyDoubt& doubt : result.doubts)
+        json["warnings"].push_back({{"kind", doubt.kind},
+                                    {"event", doubt.event},
+                                    {"key", doubt.key},
+                                    {"value", doubt.value},
+                                    {"text", doubt.text.text()}});
     return json_text(json);
 }
 
 std::string calibration_summary_json(const StudyInput& input, const CalibrationRuns& runs, const StudyFacts& facts) {
     Json json = summary_head(input, facts);
     json["samples"] = input.spec().samples;
-    json["members"] = runs.size();
-    json["runs"] = runs.size() * input.events();
+    json["runs"] = runs.runs().size();
     json["failed_runs"] = failed_of(runs.runs());
     return json_text(json);
 }
 
-/// Computes members that the surveys give weight by the other scheme, for each event.
+/// Computes draws of the posterior by the other scheme, for each event.
 void check_schemes(const StudyInput& input, const CalibrationRuns& runs, int threads, CalibrationResult& result) {
     for (std::size_t e = 0; e < input.events(); ++e) {
-        const auto& check = result.scheme_checks.emplace_back(
-            check_scheme(input.own[e], runs.events[e].members, result.weights, threads));
+        const EventRuns& event = runs.events[e];
+        std::vector<double> weights(event.members.size(), 1);
+        std::fill_n(weights.begin(), event.searched, 0);
+        auto& check = result.events[e].scheme_check = check_scheme(input.own[e], event.members, weights, threads);
+        const std::string& name = input.spec().events[e].name;
         if (const auto doubt = check ? warning_of(*check) : std::nullopt)
-            result.doubts.push_back(worded("{1}: {2}", {input.spec().events[e].name, *doubt}));
+            result.doubts.push_back({"scheme", name, "", 0, worded("{1}: {2}", {name, *doubt})});
     }
 }
 
 void write_best_scenes(const StudyInput& input, const CalibrationResult& result, const ResultDirectory& directory) {
     for (std::size_t e = 0; e < input.events(); ++e) {
-        const StudyInput& study = input.own[e];
         const std::string name = input.events() == 1 ? k_best_scene : best_scene_of(input.spec().events[e].name);
-        write_text_file(directory.path(name), echoed_scene(study.member(result.best).scene, directory.target()));
+        write_text_file(directory.path(name),
+                        echoed_scene(input.own[e].member(result.events[e].best).scene, directory.target()));
     }
 }
 
-void tell(const StudyInput& input, const CalibrationResult& result, RunLog& log) {
+void tell(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result, RunLog& log) {
     for (std::size_t e = 0; e < input.events(); ++e)
-        log.info(input.spec().events[e].name + ": score " + number_text(result.events[e].fitted.best_score, 3) +
-                 ", Q2 " + number_text(result.q2[e], 3));
+        log.info(input.spec().events[e].name + ": score " + number_text(result.events[e].best_score, 3) + ", Q2 " +
+                 number_text(runs.models[e].q2(), 3));
 }
 
 }  // namespace
@@ -366,21 +414,19 @@ StudyOutcome publish_calibration(const StudyInput& input, const CalibrationRuns&
                                  const Stopwatch& since_start, const ResultDirectory& directory, RunLog& log) {
     CalibrationResult result = calibration_result(input, runs);
     check_schemes(input, runs, threads, result);
-    for (const Sentence& doubt : result.doubts) log.warn(doubt);
+    for (const StudyDoubt& doubt : result.doubts) log.warn(doubt.text);
     StudyFacts facts;
-    const StudyOutcome outcome = tell_of_runs(input, runs.runs(), k_posterior_table, facts, log);
+    const StudyOutcome outcome = tell_of_runs(input, runs.runs(), k_member_table, facts, log);
     facts.threads = threads;
     facts.computed = runs.computed;
     write_study_file(input, directory);
     write_text_file(directory.path(k_posterior_table), posterior_csv(input, runs, result));
-    for (std::size_t e = 0; input.events() > 1 && e < input.events(); ++e)
-        if (const EventSpec& event = input.spec().events[e]; !event.vary.empty())
-            write_text_file(directory.path(posterior_of(event.name)), event_posterior_csv(input, runs, result, e));
+    write_text_file(directory.path(k_member_table), members_csv(input, runs));
     write_text_file(directory.path(k_calibration_file), calibration_json(input, runs, result));
     write_best_scenes(input, result, directory);
     publish_calibration_maps(input, runs, result, facts.troubles, directory, log);
     draw_calibration_charts(input, result, directory, log);
-    tell(input, result, log);
+    tell(input, runs, result, log);
     facts.warnings += log.take_warnings();
     facts.wall_seconds = since_start.seconds();
     if (input.own.front().base.spec.output.report) write_calibration_report(input, runs, result, facts, directory);

@@ -13,54 +13,53 @@
 
 namespace frana::app::study {
 
-/// How an event is explained by a set of weights. A score is 1 - misfit: 1 agrees.
-struct Explained {
-    std::size_t best = 0;                  ///< member that explains the used surveys best
-    double best_score = 0;                 ///< its score at this event
-    double mean = 0, low = 0, high = 0;    ///< of the scores with these weights; 5 and 95 %
-    double effective = 0;                  ///< effective number of members
-    bool possible = false;                 ///< false: no member finished for the surveys used
-    std::vector<KeyPosterior> posteriors;  ///< by key, with these weights
+/// What is known of the keys of one event, or of another slope of the same kind.
+struct KeyDraws {
+    std::string event;            ///< empty: another slope
+    std::vector<KeySample> keys;  ///< with their values in a weighted sample
+    std::vector<double> weights;
+    std::vector<KeyPosterior> posteriors;  ///< by key
+    std::vector<IndistinctPair> indistinct;
+    SampleTable draws;  ///< k_draws equal ones, even among the sample
 };
 
-/// One event: explained with its own survey, and predicted from those of the others.
+/// Scores at an event of values that explain surveys. A score is 1 - misfit: 1 agrees.
+struct Scores {
+    double mean = 0, low = 0, high = 0;  ///< 5 and 95 % of the draws
+    double error = 0;                    ///< standard error of the mean
+};
+
+/// One event: with its own survey, and predicted from those of the others.
 struct EventResult {
-    Explained fitted, predicted;
+    KeyDraws after;
+    std::size_t best = 0;  ///< member of its search that explains it best
+    double best_score = 0;
+    Scores fitted;  ///< of draws that were run
+    std::optional<Scores> predicted;
+    std::vector<KeyPosterior> predicted_keys;  ///< shared ones, from the surveys of the others
+    std::vector<std::string> uncounted;        ///< measures without a stated error beside others
+    std::optional<SchemeCheck> scheme_check;
 };
 
 /// What follows from all runs.
 struct CalibrationResult {
-    std::vector<double> weights;   ///< by member
-    std::size_t best = 0;          ///< member with the greatest likelihood
-    double effective = 0;          ///< effective number of members
-    std::vector<double> q2;        ///< of the emulator of each event's misfit
-    std::vector<KeySample> keys;   ///< with their values in the members
-    std::vector<KeySample> after;  ///< with their values in the posterior's sample
-    std::vector<double> weights_after;
-    std::vector<KeyPosterior> posteriors;  ///< by key
-    std::vector<IndistinctPair> indistinct;
     std::vector<EventResult> events;
-    std::vector<std::vector<std::string>> uncounted;        ///< by event: measures without a stated error beside others
-    std::vector<double> widening;                           ///< by event: CalibrationModel::widening()
-    std::vector<Sentence> sentences;                        ///< the keys that the surveys do not tell apart
-    std::vector<Sentence> doubts;                           ///< why the intervals may be wrong
-    std::vector<std::optional<SchemeCheck>> scheme_checks;  ///< by event
+    KeyDraws next;                   ///< another slope
+    std::vector<StudyDoubt> doubts;  ///< why the intervals may be wrong
+    std::optional<Sentence> spread;  ///< what that of the slopes rests on if events say little of it
 };
 
-/// Throws Error(numerical) if no member finished for all events.
 CalibrationResult calibration_result(const StudyInput& input, const CalibrationRuns& runs);
 
-/// Returns the name of a key in tables: with its event if others have it not.
-std::string column_of(const StudySpec& calibration, const KeySample& key);
-
 /// Writes everything that follows from the runs: tables, the best scenes, charts, report.html, summary.json. Throws
-/// Error(environment), and Error(numerical) if no member finished for all events.
+/// Error(environment).
 StudyOutcome publish_calibration(const StudyInput& input, const CalibrationRuns& runs, int threads,
                                  const Stopwatch& since_start, const ResultDirectory& directory, RunLog& log);
 
-/// Writes posterior_EVENT.tif for each event: the probability under the posterior that the maximum depth exceeds the
-/// threshold of the survey, with its margin as second band. The map of it shows the surveyed outline and the
-/// trace of the best member. A map that could not be drawn is a warning. Throws Error(environment).
+/// Writes posterior_EVENT.tif for each event: the probability that the maximum depth exceeds the threshold of the
+/// survey if it happens again, of the draws that were run, with its margin as second band. The map of it shows the
+/// surveyed outline and the trace of the best member. A map that could not be drawn is a warning. Throws
+/// Error(environment).
 void publish_calibration_maps(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
                               const Troubles& troubles, const ResultDirectory& directory, RunLog& log);
 

@@ -14,8 +14,8 @@ namespace frana::app::study {
 namespace {
 
 constexpr double k_least_weight = 1e-4;  // of the greatest
-constexpr double k_few_members = 8;      // effective number below which maps and forecasts are doubtful
 constexpr double k_low = 0.05, k_high = 0.95;
+constexpr double k_edge = 0.02;  // of a distribution, next to its limit
 
 constexpr std::size_t k_sample = 3000;     // places of a posterior
 constexpr std::size_t k_kernels = 100;     // of a proposal
@@ -42,9 +42,12 @@ void add_interval(const KeySample& key, const std::vector<double>& weights, KeyP
     to.low = weighted_quantile(key.numbers, weights, k_low);
     to.median = weighted_quantile(key.numbers, weights, 0.5);
     to.high = weighted_quantile(key.numbers, weights, k_high);
-    to.place_low = weighted_quantile(key.places, weights, k_low);
-    to.place_high = weighted_quantile(key.places, weights, k_high);
-    to.width = (to.place_high - to.place_low) / (k_high - k_low);
+    to.width = (weighted_quantile(key.places, weights, k_high) - weighted_quantile(key.places, weights, k_low)) /
+               (k_high - k_low);
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        to.share_low += key.places[i] < k_edge ? weights[i] : 0;
+        to.share_high += key.places[i] > 1 - k_edge ? weights[i] : 0;
+    }
     StudySpec alone;
     alone.vary.push_back({key.key, key.prior});
     Problems none;
@@ -119,12 +122,11 @@ double square_between(const std::vector<double>& a, const std::vector<double>& b
     return square;
 }
 
-std::size_t nearest(const Places& places, const std::vector<double>& to, const std::vector<double>& widths,
-                    const std::vector<char>& counts) {
+std::size_t nearest(const Places& places, const std::vector<double>& to, const std::vector<double>& widths) {
     std::size_t best = 0;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const double square = counts[i] == 0 ? least : square_between(places[i], to, widths);
+        const double square = square_between(places[i], to, widths);
         if (square < least) {
             least = square;
             best = i;
@@ -146,6 +148,27 @@ std::vector<std::size_t> drawn(const std::vector<double>& weights, std::size_t c
     return draws;
 }
 
+Places evenly_drawn(const PosteriorSample& sample, std::size_t count) {
+    constexpr std::size_t k_bits = 60;
+    const std::size_t keys = std::min(sample.places.front().size(), k_bits),
+                      bits = std::min<std::size_t>(k_bits / keys, 30);
+    std::vector<std::uint64_t> codes(sample.places.size());  // bits of all keys in turn: Morton's order
+    for (std::size_t k = 0; k < keys; ++k)
+        for (std::size_t i = 0; i < codes.size(); ++i) {
+            const auto at = static_cast<std::uint64_t>(
+                std::ldexp(std::min(sample.places[i][k], 1 - 0x1p-53), static_cast<int>(bits)));
+            for (std::size_t bit = 0; bit < bits; ++bit) codes[i] |= (at >> bit & 1U) << (bit * keys + k);
+        }
+    std::vector<std::size_t> order(codes.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return codes[a] < codes[b]; });
+    std::vector<double> weights;
+    for (const std::size_t i : order) weights.push_back(sample.weights[i]);
+    Places all;
+    for (const std::size_t i : drawn(weights, count)) all.push_back(sample.places[order[i]]);
+    return all;
+}
+
 double greatest_move(const PosteriorSample& before, const PosteriorSample& after) {
     double greatest = 0;
     for (std::size_t k = 0; k < after.places.front().size(); ++k)
@@ -155,125 +178,105 @@ double greatest_move(const PosteriorSample& before, const PosteriorSample& after
     return greatest;
 }
 
-CalibrationModel::CalibrationModel(std::vector<CubeKey> keys, Places places, std::vector<EventEvidence> events,
-                                   Places prior, std::int64_t seed)
+namespace {
+
+/// A choice has a coordinate of 0 and 1 for each of its values; an error field is none: it is an error of the values.
+Places coordinates(const std::vector<Distribution>& keys, const Places& places) {
+    Places all;
+    for (const std::vector<double>& place : places) {
+        std::vector<double>& one = all.emplace_back();
+        for (std::size_t k = 0; k < keys.size(); ++k) {
+            if (keys[k].law == Law::gaussian_field) continue;
+            if (keys[k].law != Law::choice) one.push_back(place[k]);
+            double below = 0;
+            for (const double weight : keys[k].weights) {
+                one.push_back(place[k] >= below && place[k] < below + weight ? 1 : 0);
+                below += weight;
+            }
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+Emulator emulator_of(const std::vector<Distribution>& keys, const Places& places,
+                     const std::vector<double>& distances) {
+    Places at;
+    std::vector<double> values;
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        if (std::isnan(distances[i])) continue;
+        at.push_back(places[i]);
+        values.push_back(distances[i]);
+    }
+    if (values.empty()) return {std::nan(""), 0, {}};
+    Emulator emulator = openturns().emulator(coordinates(keys, at), values);
+    emulator.at = [keys, of_coordinates = emulator.at](const Places& to) {
+        return of_coordinates(coordinates(keys, to));
+    };
+    return emulator;
+}
+
+EventModel::EventModel(std::vector<Distribution> keys, Places places, EventEvidence evidence, Places prior,
+                       std::int64_t seed)
     : keys_(std::move(keys)),
       places_(std::move(places)),
       prior_(std::move(prior)),
-      events_(std::move(events)),
+      evidence_(std::move(evidence)),
+      emulator_(emulator_of(keys_, places_, evidence_.distances)),
       seed_(seed) {
-    for (std::size_t e = 0; e < events_.size(); ++e) {
-        Places at;
-        std::vector<double> values;
-        for (std::size_t i = 0; i < places_.size(); ++i) {
-            if (std::isnan(events_[e].distances[i])) continue;
-            at.push_back(coordinates(places_[i], e));
-            values.push_back(events_[e].distances[i]);
-        }
-        emulators_.push_back(values.empty() ? Emulator{std::nan(""), {}} : openturns().emulator(at, values));
-    }
+    const auto is_field = [](const Distribution& key) { return key.law == Law::gaussian_field; };
+    if (std::none_of(keys_.begin(), keys_.end(), is_field)) emulator_.noise = 0;
 }
 
-std::vector<double> CalibrationModel::q2() const {
-    std::vector<double> all;
-    for (const Emulator& one : emulators_) all.push_back(one.q2);
-    return all;
-}
-
-/// A choice has a coordinate of 0 and 1 for each of its values; an error field is none: it is an error of the values.
-std::vector<double> CalibrationModel::coordinates(const std::vector<double>& place, std::size_t event) const {
-    std::vector<double> all;
-    for (std::size_t k = 0; k < keys_.size(); ++k) {
-        const Distribution& prior = keys_[k].prior;
-        if ((keys_[k].event && keys_[k].event != event) || prior.law == Law::gaussian_field) continue;
-        if (prior.law != Law::choice) all.push_back(place[k]);
-        double below = 0;
-        for (const double weight : prior.weights) {
-            all.push_back(place[k] >= below && place[k] < below + weight ? 1 : 0);
-            below += weight;
-        }
-    }
-    return all;
-}
-
-bool CalibrationModel::finished(std::size_t member, std::optional<std::size_t> without) const {
-    for (std::size_t e = 0; e < events_.size(); ++e)
-        if (e != without && std::isnan(events_[e].distances[member])) return false;
-    return true;
-}
-
-CalibrationModel::LogLikelihood CalibrationModel::log_likelihood(std::size_t event, const Prediction& distance,
-                                                                 double widened) const {
-    const double n = events_[event].pieces;
-    if (!events_[event].is_stated) {
-        const double square =
-                         std::max(distance.mean * distance.mean + distance.variance, k_least_misfit * k_least_misfit),
+EventModel::LogLikelihood EventModel::log_likelihood(const Prediction& distance, double widened) const {
+    const double n = evidence_.pieces, all = distance.variance + emulator_.noise;
+    if (!evidence_.is_stated) {
+        const double square = std::max(distance.mean * distance.mean + all, k_least_misfit * k_least_misfit),
                      log = -n / 2 * std::log(square);
         return {log, log, n * n * distance.variance / square};
     }
     const double scale = widened * widened * widened, square = distance.mean * distance.mean / scale,
-                 variance = distance.variance / scale;
+                 variance = all / scale;
     return {-(std::log1p(variance) + square / (1 + variance)) / 2, -(square + variance) / 2,
             square * variance + variance * variance / 2};
 }
 
-double CalibrationModel::of_member(std::size_t member, std::optional<std::size_t> without, bool is_widened) const {
-    if (!finished(member, without)) return -std::numeric_limits<double>::infinity();
-    double sum = 0;
-    for (std::size_t e = 0; e < events_.size(); ++e)
-        if (e != without)
-            sum += log_likelihood(e, {events_[e].distances[member], 0}, is_widened ? widening(e, without) : 1).mean;
-    return sum;
-}
-
-std::optional<std::size_t> CalibrationModel::best(std::optional<std::size_t> without) const {
+std::optional<std::size_t> EventModel::best() const {
     std::optional<std::size_t> best;
-    double greatest = -std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-        const double one = of_member(i, without, false);
-        if (!(one > greatest)) continue;
-        greatest = one;
-        best = i;
-    }
+    for (std::size_t i = 0; i < places_.size(); ++i)
+        if (const double one = evidence_.distances[i]; !std::isnan(one) && (!best || one < evidence_.distances[*best]))
+            best = i;
     return best;
 }
 
-double CalibrationModel::widening(std::size_t event, std::optional<std::size_t> without) const {
-    const auto nearest = best(without);
-    if (!nearest || !events_[event].is_stated) return 1;
-    const double n = events_[event].pieces, square = std::pow(events_[event].distances[*nearest], 2);
-    return square > n + 2 * std::sqrt(2 * n) ? std::sqrt(square / n) : 1;
+double EventModel::widening() const {
+    const auto nearest = best();
+    if (!nearest || !evidence_.is_stated) return 1;
+    const double n = evidence_.pieces, square = std::pow(evidence_.distances[*nearest], 2);
+    return square > n + 2 * evidence_.scatter ? std::sqrt(square / n) : 1;
 }
 
-std::vector<CalibrationModel::LogLikelihood> CalibrationModel::log_likelihoods(
-    const Places& at, std::optional<std::size_t> without) const {
+std::vector<EventModel::LogLikelihood> EventModel::log_likelihoods(const Places& at) const {
     std::vector<LogLikelihood> all(at.size());
-    std::vector<char> everyone(places_.size(), 1);
-    for (std::size_t e = 0; e < events_.size(); ++e) {
-        if (e == without || !emulators_[e].at) continue;
-        const double widened = widening(e, without);
-        Places to;
-        for (const auto& place : at) to.push_back(coordinates(place, e));
-        const std::vector<Prediction> distances = emulators_[e].at(to);
-        for (std::size_t i = 0; i < at.size(); ++i) {
-            const LogLikelihood one = log_likelihood(e, distances[i], widened);
-            all[i].of_mean += one.of_mean;
-            all[i].mean += one.mean;
-            all[i].variance += one.variance;
-        }
-    }
+    if (!emulator_.at) return all;
+    const double widened = widening();
+    const std::vector<Prediction> distances = emulator_.at(at);
     const std::vector<double> alike(keys_.size(), 1);
-    for (std::size_t i = 0; i < at.size(); ++i)
-        if (!finished(nearest(places_, at[i], alike, everyone), without))
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        all[i] = log_likelihood(distances[i], widened);
+        if (std::isnan(evidence_.distances[nearest(places_, at[i], alike)]))
             all[i].of_mean = all[i].mean = -std::numeric_limits<double>::infinity();
+    }
     return all;
 }
 
-PosteriorSample CalibrationModel::sample(std::optional<std::size_t> without) const {
+PosteriorSample EventModel::sample() const {
+    if (!best()) return {prior_, std::vector<double>(prior_.size())};
     RefinedPlaces now{prior_, std::vector<double>(prior_.size(), 1)};
     for (int round = 0;; ++round) {
         std::vector<double> logs;
-        for (const LogLikelihood& one : log_likelihoods(now.places, without)) logs.push_back(one.of_mean);
+        for (const LogLikelihood& one : log_likelihoods(now.places)) logs.push_back(one.of_mean);
         const double power = supported_power(logs, now.density);
         const bool is_last = (power == 1 && round >= 2) || round == k_most_rounds;
         const std::vector<double> weights = weights_of(logs, now.density, is_last ? 1 : power);
@@ -284,22 +287,9 @@ PosteriorSample CalibrationModel::sample(std::optional<std::size_t> without) con
     }
 }
 
-std::vector<double> CalibrationModel::member_weights(const PosteriorSample& sample,
-                                                     std::optional<std::size_t> without) const {
-    std::vector<double> weights(places_.size());
-    if (!sample.possible()) return weights;
-    std::vector<char> counts;
-    for (std::size_t i = 0; i < places_.size(); ++i) counts.push_back(finished(i, without) ? 1 : 0);
-    const std::vector<double> widths = deviations(sample.places, sample.weights);
-    for (std::size_t i = 0; i < sample.places.size(); ++i)
-        if (sample.weights[i] > 0) weights[nearest(places_, sample.places[i], widths, counts)] += sample.weights[i];
-    return weights;
-}
-
-Places CalibrationModel::next(std::size_t count) const {
-    std::vector<PosteriorSample> posteriors{sample()};
-    for (std::size_t e = 0; events_.size() > 1 && e < events_.size(); ++e) posteriors.push_back(sample(e));
-    const std::vector<double> widths = deviations(posteriors.front().places, posteriors.front().weights);
+Places EventModel::next(std::size_t count) const {
+    const PosteriorSample posterior = sample();
+    const std::vector<double> widths = deviations(posterior.places, posterior.weights);
     Places chosen;
     const auto choose = [&](const Places& among, const std::vector<double>& gains) {
         std::size_t best = 0;
@@ -313,27 +303,21 @@ Places CalibrationModel::next(std::size_t count) const {
         }
         chosen.push_back(among[best]);
     };
-    const Places& all = posteriors.front().places;
-    const double so_far = of_member(*best(), std::nullopt, true);
+    const double so_far = log_likelihood({evidence_.distances[*best()], 0}, widening()).mean;
     std::vector<double> improvements;
-    for (const LogLikelihood& one : log_likelihoods(all, std::nullopt)) {
+    for (const LogLikelihood& one : log_likelihoods(posterior.places)) {
         const double deviation = std::sqrt(one.variance), z = (one.mean - so_far) / std::max(deviation, 1e-12);
         improvements.push_back(deviation * (z * 0.5 * std::erfc(-z / std::numbers::sqrt2) +
                                             std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi)));
     }
     for (double& one : improvements)
         if (!std::isfinite(one)) one = 0;
-    choose(all, improvements);
-    for (std::size_t slot = 1; slot < count; ++slot) {
-        const std::size_t which = slot % posteriors.size();
-        const PosteriorSample& from = posteriors[which].possible() ? posteriors[which] : posteriors.front();
-        Places among;
-        for (const std::size_t i : drawn(from.weights, k_candidates)) among.push_back(from.places[i]);
-        std::vector<double> variances;
-        for (const LogLikelihood& one : log_likelihoods(among, which == 0 ? std::nullopt : std::optional(which - 1)))
-            variances.push_back(one.variance);
-        choose(among, variances);
-    }
+    choose(posterior.places, improvements);
+    Places among;
+    for (const std::size_t i : drawn(posterior.weights, k_candidates)) among.push_back(posterior.places[i]);
+    std::vector<double> variances;
+    for (const LogLikelihood& one : log_likelihoods(among)) variances.push_back(one.variance);
+    while (chosen.size() < count) choose(among, variances);
     return chosen;
 }
 
@@ -380,22 +364,16 @@ std::vector<Sentence> sentences(const std::vector<KeyPosterior>& keys, const std
     return all;
 }
 
-std::vector<Sentence> edge_doubts(const std::vector<KeyPosterior>& keys) {
-    constexpr double k_edge = 0.02;
-    std::vector<Sentence> all;
+std::vector<StudyDoubt> edge_doubts(const std::vector<KeyPosterior>& keys) {
+    std::vector<StudyDoubt> all;
     for (const KeyPosterior& key : keys) {
-        const bool is_low = key.place_low<k_edge, is_high = key.place_high> 1 - k_edge;
+        const bool is_low = key.share_low > 1 - k_high, is_high = key.share_high > 1 - k_high;
         if (key.nominal || is_low == is_high) continue;
-        all.push_back(worded("{1} at the limit {2} of its distribution: widen [vary]",
-                             {name_of(key), short_number(is_low ? key.low : key.high)}));
+        all.push_back({"prior-limit", key.event, key.key, is_low ? key.share_low : key.share_high,
+                       worded("{1} at the limit {2} of its distribution: widen [vary]",
+                              {name_of(key), short_number(is_low ? key.low : key.high)})});
     }
     return all;
-}
-
-std::optional<Sentence> few_members(double effective) {
-    if (effective >= k_few_members) return std::nullopt;
-    return worded("few members (effective number {1}): maps and posterior.csv rough; raise study.samples",
-                  {short_number(effective)});
 }
 
 std::vector<double> kernel_widths(const Places& places, const std::vector<double>& weights, double least) {

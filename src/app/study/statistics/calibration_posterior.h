@@ -41,14 +41,9 @@ inline constexpr double k_least_misfit = 0.01;
 /// How far members are from the survey of one event.
 struct EventEvidence {
     std::vector<double> distances;  ///< by member: sqrt(chi^2) of the stated errors, else the misfit; NaN: it failed
-    double pieces = 0;              ///< N
+    double pieces = 0;              ///< N: of stated errors chi^2 of a run without other errors, on the average
+    double scatter = 0;             ///< of stated errors the standard deviation of that chi^2
     bool is_stated = false;
-};
-
-/// A key in the unit cube of all keys.
-struct CubeKey {
-    Distribution prior;
-    std::optional<std::size_t> event;  ///< whose own it is
 };
 
 /// Places with weights: a posterior. Their sum is 1, or all are 0: no member finished.
@@ -64,62 +59,59 @@ double greatest_move(const PosteriorSample& before, const PosteriorSample& after
 /// Runs continue until the quantiles move by less between two batches, twice in a row: a part of the prior's width.
 inline constexpr double k_settled = 0.02;
 
-/// What the members so far say of all places: a Gaussian process of each event's distance y to its survey, in the keys
-/// that the event has. With its mean m and variance v at a place, and N pieces, the expected likelihood of the event is
+/// Returns what members say of a distance at other places: a Gaussian process of those that finished.
+/// @param distances by member; NaN: it failed
+Emulator emulator_of(const std::vector<Distribution>& keys, const Places& places, const std::vector<double>& distances);
+
+/// What the members so far say of all places: a Gaussian process of the distance y to the survey of one event. With its
+/// mean m and variance v at a place, and N pieces, the expected likelihood of the event is
 ///
 ///     stated errors       E exp(-y^2 / 2) = (1 + v)^(-1/2) exp(-m^2 / (2 (1 + v)))
 ///     otherwise           (m^2 + v)^(-N / 2), the scale of the errors being unknown (Jeffreys' prior)
 ///
-/// so that what was not run is less sure (Jarvenpaa et al. 2021, Bayesian Analysis 16, 147). Where the nearest member
-/// failed it is 0. If not even the best member is within its stated errors, chi^2 > N + 2 sqrt(2 N), these are
-/// multiplied by f = sqrt(chi^2 / N): the model errs too (Birge 1932, Physical Review 40, 207). Greater errors are
-/// alike over longer distances, so that N is divided by f.
-class CalibrationModel {
+/// so that what was not run is less sure (Jarvenpaa et al. 2021, Bayesian Analysis 16, 147). A field of error is
+/// another one in each member: v then has the variance that it makes, so that it is integrated over. Where the nearest
+/// member failed the likelihood is 0. If not even the best member is within its stated errors, chi^2 > N + 2 scatter,
+/// these are multiplied by f = sqrt(chi^2 / N): the model errs too (Birge 1932, Physical Review 40, 207). Greater
+/// errors are alike over longer distances, so that N is divided by f.
+class EventModel {
   public:
+    /// @param keys the event's distributions, by coordinate
     /// @param places of the members
     /// @param prior places spread over the cube
-    CalibrationModel(std::vector<CubeKey> keys, Places places, std::vector<EventEvidence> events, Places prior,
-                     std::int64_t seed);
+    EventModel(std::vector<Distribution> keys, Places places, EventEvidence evidence, Places prior, std::int64_t seed);
 
-    /// By event; NaN: too few members.
-    [[nodiscard]] std::vector<double> q2() const;
-    /// Factor of an event's stated errors.
-    [[nodiscard]] double widening(std::size_t event, std::optional<std::size_t> without = std::nullopt) const;
-    /// The member that explains the surveys best; none if all failed.
-    /// @param without an event whose survey is not used
-    [[nodiscard]] std::optional<std::size_t> best(std::optional<std::size_t> without = std::nullopt) const;
+    [[nodiscard]] double q2() const { return emulator_.q2; }  ///< NaN: too few members
+    /// Factor of the stated errors.
+    [[nodiscard]] double widening() const;
+    /// The member that explains the survey best; none if all failed.
+    [[nodiscard]] std::optional<std::size_t> best() const;
     /// Draws from the posterior: importance sampling in rounds, from the prior's places to a mixture about the
     /// weightiest (Cappe et al. 2004, population Monte Carlo), tempered until enough have weight.
-    [[nodiscard]] PosteriorSample sample(std::optional<std::size_t> without = std::nullopt) const;
-    /// Shares the weights out to the members: each gets those of the places to which it is the nearest, measured in the
-    /// posterior's standard deviations.
-    [[nodiscard]] std::vector<double> member_weights(const PosteriorSample& sample,
-                                                     std::optional<std::size_t> without = std::nullopt) const;
+    [[nodiscard]] PosteriorSample sample() const;
     /// Returns places for the next members: that with the greatest expected improvement of the likelihood (Jones,
-    /// Schonlau and Welch 1998), then draws from the posteriors of all events and without each, of many those where the
-    /// likelihood is least sure, at some distance of each other.
+    /// Schonlau and Welch 1998), then draws from the posterior, of many those where the likelihood is least sure, at
+    /// some distance of each other.
     [[nodiscard]] Places next(std::size_t count) const;
 
   private:
     struct LogLikelihood {
         double of_mean = 0, mean = 0, variance = 0;  ///< ln of the expected likelihood; of ln L
     };
-    [[nodiscard]] std::vector<double> coordinates(const std::vector<double>& place, std::size_t event) const;
-    [[nodiscard]] LogLikelihood log_likelihood(std::size_t event, const Prediction& distance, double widened) const;
-    [[nodiscard]] std::vector<LogLikelihood> log_likelihoods(const Places& at,
-                                                             std::optional<std::size_t> without) const;
-    [[nodiscard]] double of_member(std::size_t member, std::optional<std::size_t> without, bool is_widened) const;
-    [[nodiscard]] bool finished(std::size_t member, std::optional<std::size_t> without) const;
+    [[nodiscard]] LogLikelihood log_likelihood(const Prediction& distance, double widened) const;
+    [[nodiscard]] std::vector<LogLikelihood> log_likelihoods(const Places& at) const;
 
-    std::vector<CubeKey> keys_;
+    std::vector<Distribution> keys_;
     Places places_, prior_;
-    std::vector<EventEvidence> events_;
-    std::vector<Emulator> emulators_;
+    EventEvidence evidence_;
+    Emulator emulator_;
     std::int64_t seed_;
 };
 
 /// Evenly spaced draws (systematic resampling): the place drawn each time.
 std::vector<std::size_t> drawn(const std::vector<double>& weights, std::size_t count);
+/// The same in an order in which neighbours are near each other in all keys, so that the draws are even in the cube.
+Places evenly_drawn(const PosteriorSample& sample, std::size_t count);
 
 /// What the surveys say of one key.
 struct KeyPosterior {
@@ -129,7 +121,7 @@ struct KeyPosterior {
     double prior_low = 0, prior_high = 0;  ///< the same of the distribution
     /// Width of the interval in places of the distribution, over 0.9, that of the distribution itself.
     double width = 1;
-    double place_low = 0, place_high = 1;                ///< the interval as places in the distribution
+    double share_low = 0, share_high = 0;                ///< of the draws, in the outermost 2 % of the distribution
     std::vector<std::pair<std::string, double>> values;  ///< of a choice: probabilities
 };
 
@@ -156,9 +148,14 @@ std::vector<IndistinctPair> indistinct_pairs(const std::vector<KeySample>& keys,
 
 /// Names the keys that the surveys do not tell apart.
 std::vector<Sentence> sentences(const std::vector<KeyPosterior>& keys, const std::vector<IndistinctPair>& pairs);
-/// Returns why a posterior may be cut off: an end of its interval within 2 % of the limit of the distribution.
-std::vector<Sentence> edge_doubts(const std::vector<KeyPosterior>& keys);
-/// Returns a warning if the effective number of members is too small for maps and forecasts.
-std::optional<Sentence> few_members(double effective);
+/// What is doubtful, as a value.
+struct StudyDoubt {
+    std::string kind;  ///< prior-limit, survey-error, outline-bias, emulator, unsettled, unfinished
+    std::string event, key;
+    double value = 0;  ///< of a limit the share of the draws at it; of others what the text says
+    Sentence text;
+};
+/// Returns where a posterior may be cut off: more than 5 % of the draws in 2 % of a distribution, next to its limit.
+std::vector<StudyDoubt> edge_doubts(const std::vector<KeyPosterior>& keys);
 
 }  // namespace frana::app::study
