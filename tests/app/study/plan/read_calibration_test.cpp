@@ -87,9 +87,6 @@ void expect_two_events(const StudySpec& spec) {
     EXPECT_EQ(of_south.vary[2].key, "release.volume");
     EXPECT_EQ(of_north.vary.size(), 2U);
     EXPECT_EQ(spec.vary.size(), 2U);
-    EXPECT_EQ(spec.of_all_events().vary.size(), 3U);
-    EXPECT_EQ(spec.first_own_key(0), 2U);
-    EXPECT_EQ(spec.first_own_key(1), 3U);
     const std::vector<std::string> both{"terrain.cell-size=10", "time.end=100"},
         other{"terrain.cell-size=10", "time.end=200"};
     EXPECT_EQ(of_south.set, both);

@@ -44,11 +44,11 @@ std::vector<KeySample> samples_of(const StudySpec& study, const Places& places) 
 constexpr double k_truth = 0.4, k_spread = 0.05;
 
 /// A cube of two ordered keys of which the posterior of one event is known.
-CalibrationModel model_of(const Places& members, const std::vector<double>& distances, bool is_stated, double pieces) {
+EventModel model_of(const Places& members, const std::vector<double>& distances, bool is_stated, double pieces) {
     const StudySpec study = two_keys(2048);
-    std::vector<CubeKey> keys;
-    for (const Variation& one : study.vary) keys.push_back({one.distribution, std::nullopt});
-    return {keys, members, {{distances, pieces, is_stated}}, draw_places(study), 5};
+    std::vector<Distribution> keys;
+    for (const Variation& one : study.vary) keys.push_back(one.distribution);
+    return {keys, members, {distances, pieces, std::sqrt(2 * pieces), is_stated}, draw_places(study), 5};
 }
 
 double quantile_of(const PosteriorSample& sample, std::size_t key, double q) {
@@ -60,13 +60,13 @@ double quantile_of(const PosteriorSample& sample, std::size_t key, double q) {
 // chi = |u - 0.4| / 0.05 of the first key, with a floor from 9 pieces of noise: the posterior is a normal distribution.
 // Its quantiles from 2000 weighted draws, of which about 700 count, have a standard error of 0.06 to 0.08 spreads; the
 // emulator's own from 40 members must not add to it.
-TEST(CalibrationModel, PosteriorOfStatedErrorsIsTheClosedForm) {
+TEST(EventModel, PosteriorOfStatedErrorsIsTheClosedForm) {
     const Places members = draw_places(two_keys(40));
     std::vector<double> distances;
     for (const auto& place : members) distances.push_back(std::hypot(3, (place[0] - k_truth) / k_spread));
-    const CalibrationModel model = model_of(members, distances, true, 9);
-    EXPECT_EQ(model.widening(0), 1);
-    EXPECT_GT(model.q2().front(), 0.99);
+    const EventModel model = model_of(members, distances, true, 9);
+    EXPECT_EQ(model.widening(), 1);
+    EXPECT_GT(model.q2(), 0.99);
     const PosteriorSample sample = model.sample();
     EXPECT_NEAR(quantile_of(sample, 0, 0.5), k_truth, 0.2 * k_spread);
     EXPECT_NEAR(quantile_of(sample, 0, 0.05), k_truth - 1.645 * k_spread, 0.3 * k_spread);
@@ -74,25 +74,23 @@ TEST(CalibrationModel, PosteriorOfStatedErrorsIsTheClosedForm) {
     // Nothing is said of the second key.
     EXPECT_NEAR(quantile_of(sample, 1, 0.05), 0.05, 0.04);
     EXPECT_NEAR(quantile_of(sample, 1, 0.95), 0.95, 0.04);
-    const std::vector<double> weights = model.member_weights(sample);
-    EXPECT_NEAR(std::accumulate(weights.begin(), weights.end(), 0.0), 1, 1e-12);
     for (const auto& place : model.next(4)) EXPECT_NEAR(place[0], k_truth, 4 * k_spread);
 }
 
 // No member is nearer than 5 times the stated errors: they are widened to it, and N is divided by 5.
-TEST(CalibrationModel, ErrorsAreWidenedToWhatTheModelCan) {
+TEST(EventModel, ErrorsAreWidenedToWhatTheModelCan) {
     const Places members = draw_places(two_keys(40));
     std::vector<double> distances;
     for (const auto& place : members)
         distances.push_back(std::hypot(15, std::pow(5, 1.5) * (place[0] - k_truth) / k_spread));
-    const CalibrationModel model = model_of(members, distances, true, 9);
-    EXPECT_NEAR(model.widening(0), 5, 0.1);
+    const EventModel model = model_of(members, distances, true, 9);
+    EXPECT_NEAR(model.widening(), 5, 0.1);
     const PosteriorSample sample = model.sample();
     EXPECT_NEAR(quantile_of(sample, 0, 0.95) - quantile_of(sample, 0, 0.05), 3.29 * k_spread, 0.4 * k_spread);
 }
 
 // D = 0.2 + |u - 0.4|, N = 5 without stated errors: density ~ D^-5, whose integral is in closed form.
-TEST(CalibrationModel, WithoutStatedErrorsTheBestAgreementSetsTheScale) {
+TEST(EventModel, WithoutStatedErrorsTheBestAgreementSetsTheScale) {
     const Places members = draw_places(two_keys(64));
     std::vector<double> distances;
     for (const auto& place : members) distances.push_back(0.2 + std::abs(place[0] - k_truth));
@@ -105,35 +103,46 @@ TEST(CalibrationModel, WithoutStatedErrorsTheBestAgreementSetsTheScale) {
     for (const double q : {0.05, 0.5, 0.95}) EXPECT_NEAR(below(quantile_of(sample, 0, q)) / below(1), q, 0.04) << q;
 }
 
-// Where the nearest member failed nothing has weight; an event that is left out may have failed.
-TEST(CalibrationModel, FailedMembersHaveNoWeight) {
+// Where the nearest member failed nothing has weight.
+TEST(EventModel, FailedMembersHaveNoWeight) {
     const Places members = draw_places(two_keys(40));
-    std::vector<double> one, other;
-    for (const auto& place : members) {
-        one.push_back(place[0] < 0.5 ? k_no_data : std::hypot(3, (place[0] - k_truth) / k_spread));
-        other.push_back(std::hypot(3, (place[1] - k_truth) / k_spread));
-    }
-    const StudySpec study = two_keys(2048);
-    std::vector<CubeKey> keys;
-    for (const Variation& key : study.vary) keys.push_back({key.distribution, std::nullopt});
-    const CalibrationModel model(keys, members, {{one, 9, true}, {other, 9, true}}, draw_places(study), 5);
-    const PosteriorSample both = model.sample();
-    EXPECT_GT(quantile_of(both, 0, 0.05), 0.4);
-    EXPECT_LT(quantile_of(model.sample(0), 0, 0.05), 0.15);
+    std::vector<double> distances;
+    for (const auto& place : members)
+        distances.push_back(place[0] < 0.5 ? k_no_data : std::hypot(3, (place[0] - k_truth) / k_spread));
+    const EventModel model = model_of(members, distances, true, 9);
+    EXPECT_GT(quantile_of(model.sample(), 0, 0.05), 0.4);
     EXPECT_GE(members[*model.best()][0], 0.5);
-    const std::vector<double> weights = model.member_weights(both);
-    for (std::size_t i = 0; i < members.size(); ++i) EXPECT_TRUE(weights[i] == 0 || !std::isnan(one[i])) << i;
-    const CalibrationModel none(keys, members, {{std::vector<double>(members.size(), k_no_data), 9, true}},
-                                draw_places(study), 5);
+    const EventModel none = model_of(members, std::vector<double>(members.size(), k_no_data), true, 9);
     EXPECT_FALSE(none.sample().possible());
     EXPECT_FALSE(none.best());
 }
 
-TEST(CalibrationModel, SameMembersSameBits) {
+// A field of error is another one in each member, and is integrated over: y = hypot(3, (u - 0.4 - g) / 0.05) with
+// normal g of 0.05 leaves sqrt(2) times the spread of the stated error alone.
+TEST(EventModel, AFieldOfErrorIsIntegratedOver) {
+    StudySpec study = two_keys(160);
+    study.vary[1] = {"terrain.error", std::get<Distribution>(distribution_from_text("gaussian-field(1, 50)"))};
+    const Places members = draw_places(study);
+    std::vector<double> distances;
+    for (const auto& place : members) {
+        const double g = openturns().quantiles({Law::normal, {0, k_spread}, {}, {}, {}}, {place[1]}).front();
+        distances.push_back(std::hypot(3, (place[0] - k_truth - g) / k_spread));
+    }
+    study.samples = 2048;
+    const std::vector<Distribution> keys{study.vary[0].distribution, study.vary[1].distribution};
+    const EventModel model(keys, members, {distances, 9, std::sqrt(18), true}, draw_places(study), 5);
+    const PosteriorSample sample = model.sample();
+    const double width = quantile_of(sample, 0, 0.95) - quantile_of(sample, 0, 0.05);
+    EXPECT_GT(width, 1.1 * 3.29 * k_spread);
+    EXPECT_LT(width, 2.0 * 3.29 * k_spread);
+    EXPECT_NEAR(quantile_of(sample, 0, 0.5), k_truth, k_spread);
+}
+
+TEST(EventModel, SameMembersSameBits) {
     const Places members = draw_places(two_keys(20));
     std::vector<double> distances;
     for (const auto& place : members) distances.push_back(std::hypot(3, (place[0] - k_truth) / k_spread, place[1]));
-    const CalibrationModel a = model_of(members, distances, true, 9), b = model_of(members, distances, true, 9);
+    const EventModel a = model_of(members, distances, true, 9), b = model_of(members, distances, true, 9);
     EXPECT_EQ(a.next(4), b.next(4));
     EXPECT_EQ(a.sample().weights, b.sample().weights);
 }
@@ -224,27 +233,38 @@ TEST(Posterior, ChoicesHaveProbabilities) {
     EXPECT_EQ(after.values[1], (std::pair<std::string, double>{"b", 0.75}));
 }
 
-TEST(Posterior, FewMembersAreTold) {
-    ASSERT_TRUE(few_members(5.6));
-    EXPECT_NE(few_members(5.6)->text().find("5.6"), std::string::npos);
-    EXPECT_FALSE(few_members(8));
-}
-
 TEST(CalibratedPosterior, AnEndWithin2PercentOfTheDistributionsLimitIsTold) {
     KeyPosterior key;
     key.key = "material.turbulence";
     key.low = 101;
     key.high = 160;
-    for (const auto& [low, high, told] : {std::tuple{0.01, 0.6, "at the limit 101 of its distribution: widen"},
-                                          {0.3, 0.99, "at the limit 160 of its distribution: widen"},
-                                          {0.03, 0.97, ""},
-                                          {0.01, 0.99, ""}}) {  // it says nothing of this key
-        key.place_low = low;
-        key.place_high = high;
-        const std::vector<Sentence> doubts = edge_doubts({key});
+    for (const auto& [low, high, told] : {std::tuple{0.06, 0.0, "at the limit 101 of its distribution: widen"},
+                                          {0.01, 0.2, "at the limit 160 of its distribution: widen"},
+                                          {0.04, 0.04, ""},
+                                          {0.06, 0.06, ""}}) {  // it says nothing of this key
+        key.share_low = low;
+        key.share_high = high;
+        const std::vector<StudyDoubt> doubts = edge_doubts({key});
         ASSERT_EQ(doubts.empty(), std::string(told).empty());
-        for (const Sentence& doubt : doubts) EXPECT_NE(doubt.text().find(told), std::string::npos) << doubt.text();
+        for (const StudyDoubt& doubt : doubts) {
+            EXPECT_NE(doubt.text.text().find(told), std::string::npos) << doubt.text.text();
+            EXPECT_EQ(doubt.kind, "prior-limit");
+            EXPECT_EQ(doubt.key, "material.turbulence");
+            EXPECT_EQ(doubt.value, std::max(low, high));
+        }
     }
+}
+
+TEST(Draws, AreEvenInAllKeys) {
+    const StudySpec study = two_keys(4096);
+    const Places places = draw_places(study);
+    const Places draws =
+        evenly_drawn({places, std::vector<double>(places.size(), 1 / static_cast<double>(places.size()))}, 200);
+    ASSERT_EQ(draws.size(), 200U);
+    // Independent draws would have a standard error of 0.035 of this probability.
+    double inside = 0;
+    for (const auto& place : draws) inside += place[0] + place[1] < 1 ? 1.0 / 200 : 0;
+    EXPECT_NEAR(inside, 0.5, 0.03);
 }
 
 }  // namespace
