@@ -167,7 +167,7 @@ BATCH = tuple(_raster(f"UNION_{name}", f"{label} that any slope causes") for nam
     Output("text", "WARNINGS", "Warnings", "summary.json|warnings"),
 ) + EXPOSURE
 CALIBRATE = (
-    Output("file", "POSTERIOR", "Weighted runs (CSV)", "posterior.csv"),
+    Output("file", "POSTERIOR", "Draws of the values (CSV)", "posterior.csv"),
     Output("file", "BEST_SCENE", "Best scene", "best.ini"),
     Output("file", "REPORT", "Report", "report.html"),
     Output("file", "CALIBRATION", "Calibration (JSON)", "calibration.json"),

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Twin experiments: outlines of runs with known values, drawn as a surveyor would who errs; the intervals of the
 // calibration must contain the known values.
+#include <ogr_geometry.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <random>
+#include <set>
 
 #include "analysis/trace.h"
 #include "app/study/plan/sampling.h"
@@ -54,6 +58,31 @@ class SurveyError {
     Wave waves_[64];
 };
 
+/// An outline wider by a distance everywhere.
+MultiPolygon widened(const MultiPolygon& outline, double by) {
+    OGRMultiPolygon all;
+    for (const Polygon& polygon : outline) {
+        OGRPolygon one;
+        OGRLinearRing ring;
+        for (const Point& point : polygon.outer) ring.addPoint(point.x, point.y);
+        ring.closeRings();
+        one.addRing(&ring);
+        all.addGeometry(&one);
+    }
+    const std::unique_ptr<OGRGeometry> wide(all.Buffer(by));
+    wide->segmentize(k_cell / 2);
+    MultiPolygon result;
+    const auto add = [&](const OGRPolygon& polygon) {
+        Polygon& one = result.emplace_back();
+        for (const OGRPoint& point : *polygon.getExteriorRing()) one.outer.push_back({point.getX(), point.getY()});
+    };
+    if (wkbFlatten(wide->getGeometryType()) == wkbPolygon)
+        add(*wide->toPolygon());
+    else
+        for (const OGRPolygon* polygon : *wide->toMultiPolygon()) add(*polygon);
+    return result;
+}
+
 /// An outline as it was surveyed, along the edges of cells: displaced corners may make it cross itself.
 MultiPolygon drawn_by(const SurveyError& error, MultiPolygon outline, const GridSpec& grid) {
     for (Polygon& polygon : outline) {
@@ -64,13 +93,22 @@ MultiPolygon drawn_by(const SurveyError& error, MultiPolygon outline, const Grid
     return gis::polygonise(gis::coverage(outline, grid));
 }
 
+/// In what the surveyed world differs from the one that is calibrated.
+struct World {
+    std::string name;
+    double wider = 0;                   ///< the outline, everywhere [cells]
+    std::vector<std::string> set = {};  ///< keys of the surveyed run alone
+    std::string stated = "";            ///< lines of the calibration's [set]
+};
+
 /// Where a twin's truth is in its posterior, by key.
 struct TwinResult {
     std::vector<double> rank;    ///< probability below the truth
     std::vector<double> spread;  ///< standard deviation of the posterior, in the distribution's places
     std::vector<double> error;   ///< posterior mean minus truth, likewise
     std::size_t members = 0;
-    bool has_settled = false;
+    double chi_square = 0, unshifted = 0, pieces = 0, scatter = 0;
+    std::vector<std::string> told;  ///< kinds of doubts
 };
 
 constexpr double k_angles[] = {8, 26}, k_volumes[] = {2000, 8000};
@@ -80,43 +118,69 @@ class Twin : public TinyScene {
     Twin() { write_scene("stop-when-still = off\n" + k_numbers_only); }
 
     /// @param noise standard deviation of the survey [cells]
-    [[nodiscard]] TwinResult calibrated(unsigned twin, double noise, std::int64_t most) const {
+    [[nodiscard]] TwinResult calibrated(unsigned twin, double noise, std::int64_t most, const World& world = {}) const {
         std::mt19937 random(100 + twin);
         std::uniform_real_distribution<double> place(0, 1);
         const double truth[] = {place(random), place(random)};
         const std::string out = "truth" + std::to_string(twin);
-        const Outcome run = frana(
-            {"run", "scene.ini", "--out", out, "--overwrite", "--quiet", "--set", "time.end=15", "--set",
-             "material.friction-angle=" + std::to_string(k_angles[0] + truth[0] * (k_angles[1] - k_angles[0])), "--set",
-             "release.volume=" + std::to_string(k_volumes[0] + truth[1] * (k_volumes[1] - k_volumes[0]))});
+        std::vector<std::string> arguments{
+            "run",
+            "scene.ini",
+            "--out",
+            out,
+            "--overwrite",
+            "--quiet",
+            "--set",
+            "numerics.scheme=finite-volume",
+            "--set",
+            "time.end=15",
+            "--set",
+            "material.friction-angle=" + std::to_string(k_angles[0] + truth[0] * (k_angles[1] - k_angles[0])),
+            "--set",
+            "release.volume=" + std::to_string(k_volumes[0] + truth[1] * (k_volumes[1] - k_volumes[0]))};
+        for (const std::string& one : world.set) {
+            arguments.emplace_back("--set");
+            arguments.push_back(one + (one.starts_with("terrain.error") ? ", " + std::to_string(twin) : ""));
+        }
+        const Outcome run = frana(arguments);
         EXPECT_EQ(run.exit_code, 0) << run.err;
         const Raster depth = gis::read_result_raster(path(out + "/max_depth.tif"));
         const SurveyError error(1000 + twin, noise * k_cell);
-        const MultiPolygon scar = drawn_by(error, gis::polygonise(trace_mask(depth, k_trace_threshold)), depth.grid);
-        gis::write_outlines(path("scar.gpkg"), depth.grid.crs_wkt, {{"scar", {{scar, {}, {}}}}});
-        write("study.ini", "[study]\nscene = scene.ini\nsamples = " + std::to_string(most) +
+        MultiPolygon trace = gis::polygonise(trace_mask(depth, k_trace_threshold));
+        if (world.wider != 0) trace = widened(trace, world.wider * k_cell);
+        gis::write_outlines(path("scar.gpkg"), depth.grid.crs_wkt,
+                            {{"scar", {{drawn_by(error, trace, depth.grid), {}, {}}}}});
+        write("study.ini", "[study]\nscene = scene.ini\nscheme = finite-volume\nsamples = " + std::to_string(most) +
                                "\nseed = " + std::to_string(twin) +
                                "\n[objective]\njaccard = 1\n[set]\ntime.end = 15\nobserved.perimeter = scar.gpkg\n"
                                "observed.perimeter-error = " +
-                               std::to_string(noise * k_cell) +
-                               "\nobserved.error-length = " + std::to_string(SurveyError::k_length) +
-                               "\n[vary]\nmaterial.friction-angle = uniform(8, 26)\n"
+                               std::to_string(noise * k_cell) + "\nobserved.error-length = " +
+                               std::to_string(SurveyError::k_length) + "\n" + world.stated +
+                               "[vary]\nmaterial.friction-angle = uniform(8, 26)\n"
                                "release.volume = uniform(2000, 8000)\n");
         app::RunLog log(true);
         app::study::StudyInput input = app::study::prepare_study(
             app::study::read_study_texts(path("study.ini"), app::study::StudyKind::calibration, {}, log), std::nullopt,
             log);
-        const std::string folder = path("members" + std::to_string(twin) + "_" + std::to_string(noise));
+        const std::string folder = path("members" + std::to_string(twin) + "_" + std::to_string(noise) + world.name);
         fs::create_directories(folder);
         const auto runs = app::study::run_calibration(input, {folder, 2, true}, log);
         const app::study::CalibrationResult result = app::study::calibration_result(input, *runs);
+        const app::study::EventRuns& event = runs->events[0];
         TwinResult twin_result;
-        twin_result.members = runs->size();
-        twin_result.has_settled = runs->has_settled();
-        for (std::size_t k = 0; k < result.after.size(); ++k) {
+        twin_result.members = event.searched;
+        twin_result.chi_square = event.agreements[result.events[0].best].chi_square;
+        twin_result.unshifted = twin_result.chi_square;
+        for (std::size_t i = 0; i < event.searched; ++i)
+            twin_result.unshifted = std::fmin(twin_result.unshifted, event.agreements[i].unshifted);
+        twin_result.pieces = event.pieces;
+        twin_result.scatter = event.scatter;
+        for (const auto& doubt : result.doubts) twin_result.told.push_back(doubt.kind);
+        const app::study::KeyDraws& after = result.events[0].after;
+        for (std::size_t k = 0; k < 2; ++k) {
             double below = 0, mean = 0, square = 0;
-            for (std::size_t i = 0; i < result.weights_after.size(); ++i) {
-                const double weight = result.weights_after[i], at = result.after[k].places[i];
+            for (std::size_t i = 0; i < after.weights.size(); ++i) {
+                const double weight = after.weights[i], at = after.keys[k].places[i];
                 below += at < truth[k] ? weight : 0;
                 mean += weight * at;
                 square += weight * at * at;
@@ -208,6 +272,46 @@ TEST_F(Twin, IntervalsHoldTheTruth) {
                 std::sqrt(spread[k] / error[k]), members[members.size() / 2], members.back());
             std::fflush(stdout);
         }
+    }
+}
+
+/// Whether a doubt says that the world is another one.
+bool is_told(const TwinResult& twin) {
+    return std::any_of(twin.told.begin(), twin.told.end(), [](const std::string& kind) {
+        return kind == "survey-error" || kind == "outline-bias" || kind == "prior-limit";
+    });
+}
+
+// With FRANA_TWINS twins of each world it prints in how many the calibration says that something is wrong.
+TEST_F(Twin, WrongWorldsAreTold) {
+    const char* const asked = std::getenv("FRANA_TWINS");
+    const unsigned twins = asked == nullptr ? 1 : static_cast<unsigned>(std::max(1, std::atoi(asked)));
+    const World worlds[] = {{"exact"},
+                            {"dtm", 0, {"terrain.error=3, 40"}},
+                            {"half", 0.5},
+                            {"one", 1},
+                            {"cohesion", 0, {"material.bed-friction=voellmy, cohesion", "material.cohesion=1500"}}};
+    for (const World& world : worlds) {
+        if (asked == nullptr && world.name != "exact" && world.name != "one") continue;
+        unsigned told = 0;
+        std::map<std::string, unsigned> kinds;
+        for (unsigned twin = 0; twin < twins; ++twin) {
+            const TwinResult one = calibrated(twin, 0.25, asked == nullptr ? 18 : 60, world);
+            told += is_told(one) ? 1 : 0;
+            for (const std::string& kind : std::set<std::string>(one.told.begin(), one.told.end())) ++kinds[kind];
+            if (asked == nullptr) {
+                EXPECT_EQ(is_told(one), world.name != "exact") << world.name;
+            }
+            if (std::getenv("FRANA_TWIN_LINES") != nullptr)
+                std::printf("%s %u: chi2 %.1f unshifted %.1f pieces %.1f scatter %.1f rank %.2f %.2f\n",
+                            world.name.c_str(), twin, one.chi_square, one.unshifted, one.pieces, one.scatter,
+                            one.rank[0], one.rank[1]);
+        }
+        if (asked == nullptr) continue;
+        std::printf("%s: told in %u of %u;", world.name.c_str(), told, twins);
+        for (const auto& [kind, count] : kinds) std::printf(" %s %u", kind.c_str(), count);
+        std::printf("\n");
+        std::fflush(stdout);
     }
 }
 

@@ -155,7 +155,8 @@ EventSurvey::EventSurvey(const Prepared& base, const EventSpec& event, const std
     const double error_length = stated.error_length.value_or(10 * stated.perimeter_error.value_or(grid_.cell_size));
     if (stated.perimeter_error && measures_by(Evidence::scar)) {
         const double length = outline_->length(), alike = std::min(error_length, length), cell = grid_.cell_size,
-                     of_survey = std::pow(*stated.perimeter_error, 2), of_cell = cell * cell / 12,
+                     of_survey = std::pow(*stated.perimeter_error, 2),
+                     of_cell = is_empty(scar_) ? 0 : outline_mean_square(gis::polygonise(scar_)),
                      density = of_survey * alike + of_cell * cell;
         outline_pieces_ = length * (of_survey + of_cell) / density;
         // The square of a normal error's correlation has 1 / sqrt(2) of its integral.

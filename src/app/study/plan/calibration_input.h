@@ -34,16 +34,17 @@ struct MemberAgreement {
 ///
 /// With stated errors the likelihood of a member is exp(-chi^2 / 2), with a sum over what has one and is compared:
 ///
-///     outline            L (m - d^2) / S + d^2 / (S / L + b^2),  S = s^2 l + (c^2 / 12) c,  N = L (s^2 + c^2 / 12) / S
+///     outline            L (m - d^2) / S + d^2 / (S / L + b^2),  S = s^2 l + p^2 c,  N = L (s^2 + p^2) / S
 ///     deposit's depth    N m / s^2,                              N = its area / error-length^2
 ///     run-out, gauges    (value - observed)^2 / s^2,             N = 1
 ///
 /// m mean square of the distances between both outlines (mean of both directions), or of the differences of depth over
-/// the cells of either deposit; s stated standard deviation, l error-length, at most the outline's length L; c cell, d
-/// mean distance, with a sign, b the standard deviation of an offset that the whole outline has. N is what chi^2 is on
-/// the average without other errors: a stationary error whose correlation has the integral l has, over a length L, a
-/// mean with the variance s^2 l / L (Bayley and Hammersley 1946, Supplement to the Journal of the Royal Statistical
-/// Society 8, 184); those of cells, with the variance c^2 / 12, are alike over a cell.
+/// the cells of either deposit; s stated standard deviation, l error-length, at most the outline's length L; c cell,
+/// p^2 mean square of the distance between the outline and the edges of the cells in it (up to c^2 / 12), d mean
+/// distance, with a sign, b the standard deviation of an offset that the whole outline has. N is what chi^2 is on the
+/// average without other errors: a stationary error whose correlation has the integral l has, over a length L, a mean
+/// with the variance s^2 l / L (Bayley and Hammersley 1946, Supplement to the Journal of the Royal Statistical Society
+/// 8, 184); those of cells are alike over a cell.
 class EventSurvey {
   public:
     /// @param base of members with the same cells

@@ -77,7 +77,7 @@ MapSource source_of(const StudyInput& input, std::size_t e, const EventRuns& run
     const Words& words = source.style.words;
     source.title = base.spec.output.title.value_or(input.spec().events[e].name);
     const auto number = [&](double value) { return words.number(number_text(value, 3)); };
-    source.subtitle = words("If it happens again: {1} runs with values that agree with the survey",
+    source.subtitle = words("If it happens again: {1} runs that agree with the survey",
                             {std::to_string(runs.members.size() - runs.searched)});
     source.notes = {words("Deeper than {1} m counts", {number(threshold)})};
     if (troubles.are_first())
@@ -231,7 +231,6 @@ Table facts_table(const StudyInput& input, const CalibrationRuns& runs, const Ca
     Table table;
     table.row({words("Runs"), words("{1}, of which {2} spread over the distributions",
                                     {std::to_string(searched), std::to_string(design)})});
-    table.row({words("Runs of the forecast"), std::to_string(runs.runs().size() - searched)});
     table.row({with_unit(words("Cell size"), "m"), joined(cells, ", ")});
     if (const std::size_t failed = failed_of(runs.runs()); failed > 0)
         table.row({words("Failed runs"), std::to_string(failed)}, "warning");

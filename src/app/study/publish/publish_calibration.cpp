@@ -121,7 +121,8 @@ std::vector<std::string> uncounted(const StudyInput& input, const CalibrationRun
 
 /// How far inside or outside of all runs the outline of an event is, if that explains it: a shift of the outline has
 /// one value, so that without one chi^2 is less by more than 3.84 in one of 20 surveys only.
-std::optional<double> outline_bias(const EventRuns& runs) {
+/// @param widening of the stated errors, by which chi^2 is too great
+std::optional<double> outline_bias(const EventRuns& runs, double widening) {
     constexpr double k_unlikely = 3.84;
     const MemberAgreement *best = nullptr, *shifted = nullptr;
     for (std::size_t i = 0; i < runs.searched; ++i) {
@@ -130,7 +131,8 @@ std::optional<double> outline_bias(const EventRuns& runs) {
         if (best == nullptr || one.chi_square < best->chi_square) best = &one;
         if (shifted == nullptr || one.unshifted < shifted->unshifted) shifted = &one;
     }
-    if (best == nullptr || !(best->chi_square - shifted->unshifted > k_unlikely)) return std::nullopt;
+    if (best == nullptr || !(best->chi_square - shifted->unshifted > k_unlikely * widening * widening))
+        return std::nullopt;
     return shifted->outside;
 }
 
@@ -143,21 +145,19 @@ void judge(const StudyInput& input, const CalibrationRuns& runs, std::size_t e, 
         doubts.push_back({"survey-error", name, "", factor,
                           worded("{1}: best run off by {2} times the survey's error: error raised",
                                  {name, short_number(factor, 2)})});
-    if (const auto outside = event.is_stated() ? outline_bias(event) : std::nullopt)
+    if (const auto outside = event.is_stated() ? outline_bias(event, factor) : std::nullopt)
         doubts.push_back({"outline-bias", name, "", *outside,
-                          *outside > 0
-                              ? worded("{1}: outline {2} m outside of all runs: check it, or state perimeter-bias",
-                                       {name, short_number(*outside, 2)})
-                              : worded("{1}: outline {2} m inside of all runs: check it, or state perimeter-bias",
-                                       {name, short_number(-*outside, 2)})});
+                          worded("{1}: outline {2} m off all runs (+: outside): state perimeter-bias",
+                                 {name, short_number(*outside, 2)})});
     if (!(q2 >= k_least_q2))
         doubts.push_back({"emulator", name, "", q2,
-                          worded("{1}: emulator Q2 {2}, under {3}: raise study.samples or narrow [vary]",
+                          worded("{1}: runs tell little of others (Q2 {2}, under {3}): raise study.samples",
                                  {name, short_number(q2, 2), short_number(k_least_q2)})});
     if (!event.has_settled())
-        doubts.push_back({"unsettled", name, "", event.moves[1],
-                          worded("{1}: intervals not within {2} % after {3} members: raise study.samples",
-                                 {name, short_number(100 * k_settled), std::to_string(event.searched)})});
+        doubts.push_back(
+            {"unsettled", name, "", event.moves[1],
+             worded("{1}: {2}", {name, worded("intervals not within {2} % after {1} members: raise study.samples",
+                                              {std::to_string(event.searched), short_number(100 * k_settled)})})});
 }
 
 }  // namespace
@@ -185,12 +185,8 @@ CalibrationResult calibration_result(const StudyInput& input, const CalibrationR
         for (StudyDoubt& doubt : edge_doubts(event.after.posteriors)) result.doubts.push_back(std::move(doubt));
     }
     result.next = next_slope(input.reading, runs.population.next);
-    constexpr std::size_t k_enough = 5;  // Gelman 2006
     if (input.events() == 1)
         result.spread = worded("new-slope: spread between slopes assumed, one event tells nothing of it");
-    else if (input.events() < k_enough)
-        result.spread =
-            worded("new-slope: spread between slopes known from {1} events only", {std::to_string(input.events())});
     return result;
 }
 

@@ -46,7 +46,7 @@ struct CalibrationResult {
     std::vector<EventResult> events;
     KeyDraws next;                   ///< another slope
     std::vector<StudyDoubt> doubts;  ///< why the intervals may be wrong
-    std::optional<Sentence> spread;  ///< what that of the slopes rests on if events say little of it
+    std::optional<Sentence> spread;  ///< what that of the slopes rests on if the events say nothing of it
 };
 
 CalibrationResult calibration_result(const StudyInput& input, const CalibrationRuns& runs);

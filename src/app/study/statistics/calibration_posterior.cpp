@@ -253,8 +253,13 @@ std::optional<std::size_t> EventModel::best() const {
 double EventModel::widening() const {
     const auto nearest = best();
     if (!nearest || !evidence_.is_stated) return 1;
-    const double n = evidence_.pieces, square = std::pow(evidence_.distances[*nearest], 2);
-    return square > n + 2 * evidence_.scatter ? std::sqrt(square / n) : 1;
+    // Of a gamma distribution of the least chi^2, by Wilson and Hilferty; each key that is fitted takes 1 of the mean.
+    constexpr double k_95_percent = 1.6449;
+    const double n = evidence_.pieces, square = std::pow(evidence_.distances[*nearest], 2),
+                 mean = std::max(n / 2, n - static_cast<double>(keys_.size())),
+                 cubed = evidence_.scatter * evidence_.scatter / (9 * n * mean),
+                 greatest = mean * std::pow(1 - cubed + k_95_percent * std::sqrt(cubed), 3);
+    return square > std::max(n, greatest) ? std::sqrt(square / n) : 1;
 }
 
 std::vector<EventModel::LogLikelihood> EventModel::log_likelihoods(const Places& at) const {

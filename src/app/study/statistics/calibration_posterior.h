@@ -71,9 +71,9 @@ Emulator emulator_of(const std::vector<Distribution>& keys, const Places& places
 ///
 /// so that what was not run is less sure (Jarvenpaa et al. 2021, Bayesian Analysis 16, 147). A field of error is
 /// another one in each member: v then has the variance that it makes, so that it is integrated over. Where the nearest
-/// member failed the likelihood is 0. If not even the best member is within its stated errors, chi^2 > N + 2 scatter,
-/// these are multiplied by f = sqrt(chi^2 / N): the model errs too (Birge 1932, Physical Review 40, 207). Greater
-/// errors are alike over longer distances, so that N is divided by f.
+/// member failed the likelihood is 0. If not even the best member is within its stated errors, with a chi^2 that
+/// these alone exceed in 5 %, they are multiplied by f = sqrt(chi^2 / N): the model errs too (Birge 1932, Physical
+/// Review 40, 207). Greater errors are alike over longer distances, so that N is divided by f.
 class EventModel {
   public:
     /// @param keys the event's distributions, by coordinate
