@@ -11,13 +11,13 @@
 int main(int argc, char** argv) {
     const std::map<std::string, std::function<void(const std::string&)>> samples{
         {"bindo", frana::sample::write_bindo_sample},
+        {"fan", frana::sample::write_fan_sample},
         {"flume", frana::sample::write_flume_sample},
         {"fracture", frana::sample::write_fracture_sample},
-        {"region", frana::sample::write_region_sample},
         {"reservoir", frana::sample::write_reservoir_sample}};
     const auto sample = argc == 3 ? samples.find(argv[1]) : samples.end();
     if (sample == samples.end()) {
-        std::cerr << "usage: generate_sample bindo|flume|fracture|region|reservoir DIR\n";
+        std::cerr << "usage: generate_sample bindo|fan|flume|fracture|reservoir DIR\n";
         return 2;
     }
     try {

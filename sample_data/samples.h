@@ -10,10 +10,10 @@ namespace frana::sample {
 /// on the last bits of a machine's mathematics. Throws Error(environment).
 void write_bindo_sample(const std::string& folder);
 
-/// Writes slopes.geojson (EPSG:32632: four slopes on the terrain of the bindo sample, each in three scenarios) and
-/// exposed.geojson (degrees: houses, a road, a camp) to an existing folder. Coordinates are rounded. Throws
-/// Error(environment).
-void write_region_sample(const std::string& folder);
+/// Writes dtm.tif (EPSG:32632, 5 m: a mountain side with two gullies and their fan), slopes.geojson (a polygon of each
+/// gully and scenario, with volumes), exposed.geojson (degrees: twenty houses, a road) and gauges.geojson to an
+/// existing folder. Heights and coordinates are rounded. Throws Error(environment).
+void write_fan_sample(const std::string& folder);
 
 /// The flume's break of slope [m], and the block's path and the obstacle's side of it across the flume [m].
 inline constexpr double k_flume_break = 1.2, k_flume_width = 0.6;
