@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <set>
 #include <tuple>
@@ -133,9 +134,13 @@ bool write_rows(GDALDataset& dataset, OGRSpatialReference* crs, RowLayer& from) 
         for (const auto& [name, value] : *row.texts)
             if (!reserved(name)) texts.insert(name);
     }
+    std::map<std::string, int> places;  // formats shorten names
     const auto create = [&](const std::string& name, OGRFieldType type) {
         OGRFieldDefn field(name.c_str(), type);
-        return layer->CreateField(&field) == OGRERR_NONE;
+        if (layer->CreateField(&field) != OGRERR_NONE) return false;
+        const int known = layer->GetLayerDefn()->GetFieldIndex(name.c_str());
+        places[name] = known >= 0 ? known : layer->GetLayerDefn()->GetFieldCount() - 1;
+        return true;
     };
     if (from.measure != nullptr && !create(from.measure, OFTReal)) return false;
     for (const std::string& name : numbers)
@@ -146,10 +151,10 @@ bool write_rows(GDALDataset& dataset, OGRSpatialReference* crs, RowLayer& from) 
         OGRFeature feature(layer->GetLayerDefn());
         if (from.measure != nullptr) feature.SetField(from.measure, row.measured);
         for (const auto& [name, value] : *row.numbers)
-            if (numbers.count(name) > 0 && !std::isnan(value)) feature.SetField(name.c_str(), value);
+            if (numbers.count(name) > 0 && !std::isnan(value)) feature.SetField(places.at(name), value);
         for (const auto& [name, value] : *row.texts)
             if (texts.count(name) > 0)  // a drawing has its own letters
-                feature.SetField(name.c_str(), (from.type == wkbUnknown ? value : valid_utf8(value)).c_str());
+                feature.SetField(places.at(name), (from.type == wkbUnknown ? value : valid_utf8(value)).c_str());
         if (!row.look.empty()) feature.SetStyleString(row.look.c_str());
         if (row.shape) feature.SetGeometryDirectly(row.shape.release());
         if (layer->CreateFeature(&feature) != OGRERR_NONE) return false;

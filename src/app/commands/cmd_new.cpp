@@ -33,7 +33,8 @@ struct SceneDraft {
     std::string thickness;       ///< empty: open
     std::string preset;          ///< empty: open
     std::string title;
-    std::string cell_size;  ///< of the DTM [m]; empty: it is not in metres
+    std::string cell_size;                       ///< of the DTM [m]; empty: it is not in metres
+    std::map<std::string, std::string> columns;  ///< of the perimeter, by the region's key that they look like
     std::vector<std::string> about_dtm, about_crs, about_cells, about_unit, about_perimeter, about_thickness;
 };
 
@@ -48,13 +49,40 @@ struct DraftLine {
     std::vector<std::string> notes{};
 };
 
-/// Names of columns in which surveyors write a thickness, in the languages of the reports.
-bool looks_like_thickness(std::string name) {
+/// Whether a column's name has one of these words, in lower case.
+bool has_word(std::string name, const std::vector<std::string>& words) {
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-    const std::vector<std::string> words{"thick", "depth",   "spess", "profond", "potenza",    "epais", "\u00e9pais",
-                                         "espes", "espesor", "dicke", "tiefe",   "m\u00e4cht", "maecht"};
     return std::any_of(words.begin(), words.end(),
                        [&](const std::string& word) { return name.find(word) != std::string::npos; });
+}
+
+/// Names of columns in which surveyors write a thickness, in the languages of the reports.
+bool looks_like_thickness(const std::string& name) {
+    return has_word(name, {"thick", "depth", "spess", "profond", "potenza", "epais", "\u00e9pais", "espes", "espesor",
+                           "dicke", "tiefe", "m\u00e4cht", "maecht"});
+}
+
+/// Columns with what a region asks for, by their names in the languages of the reports; of several the first.
+std::map<std::string, std::string> region_columns(const gis::PolygonLayer& layer) {
+    std::map<std::string, std::string> found;
+    const auto take = [&](const char* key, const std::string& column, const std::vector<std::string>& words) {
+        if (has_word(column, words)) found.try_emplace(key, one_line(column));
+    };
+    for (const PolygonFeature& feature : layer.features) {
+        for (const auto& [column, value] : feature.numbers) {
+            take("return-period", column,
+                 {"year", "jahr", "anni", "ann\u00e9e", "annee", "a\u00f1o", "return", "ritorno"});
+            take("release.volume", column, {"volum", "m3"});
+            take("frequency.rate", column, {"rate", "freq"});
+        }
+        for (const auto& [column, value] : feature.texts) {
+            take("name", column, {"name", "nom"});
+            take("scenario", column, {"scenari", "sc\u00e9nario", "szenari", "escenari"});
+            take("frequency.rate", column, {"rate", "freq"});
+            if (value.find(':') != std::string::npos) take("frequency.volumes", column, {"volum", "m3"});
+        }
+    }
+    return found;
 }
 
 /// A question for each column of the perimeter that may be the thickness.
@@ -156,6 +184,7 @@ SceneDraft draft_of(const std::string& dtm, const std::string& perimeter) {
                              " in the layer " + one_line(layer.layer_name) + ", in " + one_line(layer.crs_label) +
                              "; on the DTM " + extent_text(box, degrees) + "."};
     draft.about_thickness = questions(layer);
+    draft.columns = region_columns(layer);
     return draft;
 }
 
@@ -206,7 +235,7 @@ std::string draft_text(const SceneDraft& draft) {
 
 /// What a study of a scene begins with, whose file is named from the study's folder. No preset asks for what finite
 /// volumes lack.
-std::string study_text(const std::string& scene) {
+std::string study_text(const std::string& scene, const SceneDraft&) {
     return "# A study of frana to begin with: `frana ensemble`, or with [objective] `frana calibrate`.\n\n[study]\n"
            "scene = " +
            scene +
@@ -219,22 +248,31 @@ std::string study_text(const std::string& scene) {
            "# material.turbulence = log-uniform(LEAST, GREATEST)\n";
 }
 
-/// The same of a region.
-std::string region_text(const std::string& scene) {
+/// The same of a region; columns that were found stand in it.
+std::string region_text(const std::string& scene, const SceneDraft& draft) {
+    const auto line = [&](const std::string& key, bool is_used = true) {
+        const auto found = draft.columns.find(key);
+        const bool is_found = found != draft.columns.end();
+        return (is_found && is_used ? "" : "# ") + key + " = " + (is_found ? found->second : "COLUMN") + "\n";
+    };
     return "# A region of frana to begin with: `frana batch` runs each polygon of the scene as a slope of its own.\n\n"
            "[region]\nscene = " +
            scene +
-           "\nscheme = finite-volume\n# Column of the polygons with what each is called.\n# name = COLUMN\n\n"
-           "# Once for all: the country's scheme, the process whose matrix gives the degree of hazard, the friction.\n"
+           "\nscheme = finite-volume\n"
+           "# Columns of the polygons: what each is called; which of several events it is, if each is a polygon.\n" +
+           line("name") + line("scenario") + line("return-period", false) +
+           "\n# Once for all: the country's scheme, the process whose matrix gives the degree of hazard, the "
+           "friction.\n"
            "[set]\n# hazard.scheme = swiss-debris-flow\n# hazard.process = channel-debris-flow\n"
            "# material.friction-table = ramms-avalanche\n\n"
-           "# Every path in every scenario, whose name is its return period (years); it is also that of the friction.\n"
+           "# Any key of the scene may come from a column.\n[columns]\n" +
+           line("release.volume") +
+           "\n# Or every path in every scenario, whose name is its return period (years); also that of the friction.\n"
            "# A path without a value has no such event.\n"
-           "# [scenario 30]\n# release.thickness = COLUMN\n# [scenario 100]\n# release.thickness = COLUMN\n"
-           "# [scenario 300]\n# release.thickness = COLUMN\n\n"
-           "# Any key of the scene may come from a column, the same in all scenarios.\n# [columns]\n"
-           "# material.turbulence = COLUMN\n\n"
-           "# In place of scenarios: how often each slope fails, with which volumes (share/doc/region.md).\n"
+           "# [scenario 30]\n# release.thickness = COLUMN\n# [scenario 100]\n# release.thickness = COLUMN\n\n"
+           "# In place of scenarios and release.volume: how often each slope fails, with which volumes\n"
+           "# (share/doc/region.md), by columns or the same for all.\n" +
+           line("frequency.rate", false) + line("frequency.volumes", false) +
            "# [frequency]\n# volumes = M3: YEARS, M3: YEARS\n\n# [vary]\n"
            "# material.friction-angle = triangular(LEAST, LIKELIEST, GREATEST)\n";
 }
@@ -242,7 +280,7 @@ std::string region_text(const std::string& scene) {
 /// What can be written beside a scene.
 struct Beginning {
     const char *option, *meaning;
-    std::string (*text)(const std::string& scene);
+    std::string (*text)(const std::string& scene, const SceneDraft& draft);
 };
 constexpr Beginning k_beginnings[] = {{"study", "also a study of the scene to begin with", study_text},
                                       {"region", "also a region of its polygons to begin with", region_text}};
@@ -338,7 +376,8 @@ int cmd_new(const Arguments& arguments) {
     std::string written = scene.string();
     for (const Beginning& row : k_beginnings)
         if (const auto file = text_option(*values, row.option)) {
-            write_text_file(*file, row.text(relative_path(scene.string(), fs::absolute(*file).parent_path().string())));
+            write_text_file(*file,
+                            row.text(relative_path(scene.string(), fs::absolute(*file).parent_path().string()), draft));
             written += " and " + *file;
         }
     std::cerr << "frana: wrote " << written

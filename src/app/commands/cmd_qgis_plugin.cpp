@@ -19,19 +19,61 @@ namespace {
 
 namespace fs = std::filesystem;
 
+[[noreturn]] void fail(const std::string& what, const fs::path& path, const std::error_code& error) {
+    throw Error(ErrorKind::environment,
+                Problem{what + ": " + error.message(), path.string(), "", "", system_remedy(error.value())});
+}
+
 std::string folder_named_by(const char* variable) {
     const char* value = std::getenv(variable);
     return value == nullptr ? "" : value;
 }
 
+bool is_there(const fs::path& path) {
+    std::error_code error;
+    return fs::exists(fs::symlink_status(path, error));
+}
+
+void remove_folder(const fs::path& path) {
+    std::error_code error;
+    fs::remove_all(path, error);
+    if (error) fail("cannot be removed", path, error);
+}
+
 /// Another plugin of the same name is the user's.
 void refuse_foreign(const fs::path& target) {
-    std::error_code error;
-    if (!fs::exists(fs::symlink_status(target, error))) return;
+    if (!is_there(target)) return;
     const std::string text = '\n' + read_text_file((target / "metadata.txt").string());
     if (text.find("\nname=frana\n") != std::string::npos) return;
     throw Error(ErrorKind::environment, Problem{"is not frana's plugin and is left as it is", target.string(), "", "",
                                                 "Move it away or choose another --profile"});
+}
+
+void copy_plugin(const fs::path& source, const fs::path& to) {
+    std::error_code error;
+    fs::create_directories(to, error);
+    if (error) fail("cannot be made", to, error);
+    fs::directory_iterator entries(source, error);
+    for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
+        const fs::path name = entries->path().filename();
+        if (name == "__pycache__") continue;
+        if (entries->is_directory()) {
+            copy_plugin(entries->path(), to / name);
+            continue;
+        }
+        std::error_code unknown;
+        const std::string bytes = read_text_file(entries->path().string());
+        if (bytes.size() != fs::file_size(entries->path(), unknown))
+            fail("cannot be read", entries->path(), unknown ? unknown : std::make_error_code(std::errc::io_error));
+        write_file((to / name).string(), bytes, Sync::yes);
+    }
+    if (error) fail("cannot be read", source, error);
+}
+
+void move(const fs::path& from, const fs::path& to) {
+    std::error_code error;
+    fs::rename(from, to, error);
+    if (error) fail("cannot be renamed to " + to.string(), from, error);
 }
 
 /// Returns the folder of a QGIS profile, which may not exist: $QGIS_CUSTOM_CONFIG_PATH/profiles/NAME, else
@@ -56,25 +98,36 @@ std::string qgis_profile(const std::string& name) {
 
 /// Copies the plugin from `source` to `target`, whose folder exists, and notes the path of `program` in it. A plugin
 /// that is there is replaced whole or not at all; only frana's is. `working`: a folder for the copy that is being made,
-/// on the same file system, removed at the end. Throws Error(environment), std::filesystem::filesystem_error.
-void install_plugin(const fs::path& source, const fs::path& target, const fs::path& working,
+/// on the same file system, removed at the end. Throws Error(environment).
+void install_plugin(const std::string& source, const std::string& target, const std::string& working,
                     const std::string& program) {
     refuse_foreign(target);
-    const fs::path older = working.string() + ".old";
-    for (const fs::path& left : {working, older}) fs::remove_all(left);  // of an installation that was killed
-    std::error_code ignored;
+    remove_folder(working);  // of an installation that was killed
     try {
-        fs::copy(source, working, fs::copy_options::recursive);
-        for (const char* folder : {"", "algorithms"}) fs::remove_all(working / folder / "__pycache__");
-        write_file((working / "program.txt").string(), program + '\n');
-        if (fs::exists(target)) fs::rename(target, older);
-        fs::rename(working, target);
-    } catch (...) {
-        if (!fs::exists(target, ignored)) fs::rename(older, target, ignored);
+        copy_plugin(source, working);
+        write_file((fs::path(working) / "program.txt").string(), program + '\n', Sync::yes);
+        if (!is_there(target)) {
+            move(working, target);
+        } else if (::renameat2(AT_FDCWD, working.c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE) != 0) {
+            // Not supported by the file system.
+            const std::string older = working + ".old";
+            remove_folder(older);
+            move(target, older);
+            std::error_code error, ignored;
+            fs::rename(working, target, error);
+            if (error) {
+                fs::rename(older, target, ignored);
+                fail("cannot take its name", target, error);
+            }
+            remove_folder(older);
+        }
+    } catch (const Error&) {
+        std::error_code ignored;
         fs::remove_all(working, ignored);
         throw;
     }
-    fs::remove_all(older, ignored);
+    sync_path(fs::path(target).parent_path().string());
+    remove_folder(working);  // the older plugin, where there was one
 }
 
 }  // namespace
@@ -92,6 +145,8 @@ CommandForm qgis_plugin_form() {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr const char* k_default_profile = "default";
 
 /// Makes the folder of plugins. QGIS makes its default profile when it first starts; others are the user's to make.
@@ -102,7 +157,10 @@ void make_folder_of_plugins(const fs::path& profile, const std::string& name) {
                                               "Make it in QGIS under Settings, User Profiles; " + profile.string() +
                                                   " would be its folder"});
     const fs::path plugins = profile / "python" / "plugins";
-    fs::create_directories(plugins);
+    fs::create_directories(plugins, error);
+    if (error)
+        throw Error(ErrorKind::environment, Problem{"cannot be made: " + error.message(), plugins.string(), "", "",
+                                                    system_remedy(error.value())});
 }
 
 /// Debian 12's script qgis_process passes an option that the program behind it, qgis_process.bin, does not know.
@@ -123,16 +181,16 @@ int cmd_qgis_plugin(const Arguments& arguments) {
         throw Error(ErrorKind::input, Problem{"nothing to do", "command line", "", "", "Give --install"});
     const std::string name = text_option(*values, "profile").value_or(k_default_profile);
     const fs::path profile = qgis_profile(name);
-    const fs::path target = profile / "python" / "plugins" / "frana";
+    const std::string target = (profile / "python" / "plugins" / "frana").string();
+    const std::string working = (profile / "python" / "frana-plugin.partial").string();
     const fs::path source = fs::path(share_directory()) / "qgis" / "frana";
     std::error_code error;
     if (!fs::is_regular_file(source / "metadata.txt", error))
         throw Error(ErrorKind::environment, Problem{"the QGIS plugin is missing", source.string(), "", "",
                                                     "Install frana with its QGIS plugin, or set FRANA_SHARE"});
     make_folder_of_plugins(profile, name);
-    install_plugin(source, target, profile / "python" / "frana-plugin.partial",
-                   fs::read_symlink("/proc/self/exe").string());
-    std::cout << target.string() << '\n';
+    install_plugin(source.string(), target, working, fs::read_symlink("/proc/self/exe").string());
+    std::cout << target << '\n';
     std::cerr << "frana: enable the plugin once in QGIS: Plugins, Manage and Install Plugins, Installed, frana; for "
                  "qgis_process: "
               << qgis_process() << " plugins enable frana\n";

@@ -311,9 +311,8 @@ void print_calibration(const study::StudyInput& input) {
     for (const study::EventSpec& event : calibration.events) print_keys(event.vary, " of " + event.name);
     print_correlations(calibration);
     std::printf("\nMembers\n");
-    std::size_t design = 0;
-    for (const study::StudyInput& event : input.own) design = std::max(design, event.design.size());
-    print_fact("members", std::to_string(design) + " first, then until the intervals settle, at most " +
+    print_fact("members", std::to_string(input.own.front().design.size()) +
+                              " first, then until the intervals settle, at most " +
                               std::to_string(calibration.samples) + ", each for " + std::to_string(input.events()) +
                               (input.events() == 1 ? " event" : " events") + "; then " +
                               std::to_string(study::forecast_runs(calibration)) + " for the forecast; sampling " +

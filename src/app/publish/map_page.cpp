@@ -215,7 +215,7 @@ class MapPage {
     /// Title, unit, classes and step of a layer.
     [[nodiscard]] Json look(const MapLayer& layer) const {
         Json json{{"name", layer.name},
-                  {"title", layer.legend_title.empty() ? layer.title : layer.legend_title},
+                  {"title", shown_text(layer.legend_title.empty() ? layer.title : layer.legend_title)},
                   {"unit", layer.unit == "-" ? "" : layer.unit}};
         if (!layer.categories.empty()) {
             json["exact"] = true;
@@ -305,7 +305,7 @@ class MapPage {
         const auto add = [&](const std::string& column, const std::string& text) {
             const auto title =
                 std::find_if(titles.begin(), titles.end(), [&](const auto& one) { return one.first == column; });
-            rows.push_back({title == titles.end() ? column : title->second, text});
+            rows.push_back({shown_text(title == titles.end() ? column : title->second), shown_text(text)});
         };
         for (const auto& [column, text] : feature.texts)
             if (!text.empty()) add(column, text);
@@ -380,7 +380,7 @@ class MapPage {
                escaped_markup(source_.title) + "</title>\n<style>" + style + "</style>\n<style>" + web("map.css") +
                "</style>\n</head>\n<body>\n<header><h1>" + escaped_markup(source_.title) + "</h1><p>" +
                escaped_markup(scenario_line(source_)) + "</p><p class=\"screen\">" +
-               text(worded("Click the map for values; with the keyboard, Enter asks for its middle.")) +
+               text(worded("Click for values; with the keyboard, Enter asks for the middle.")) +
                "</p></header>\n<div id=\"map\" tabindex=\"0\" role=\"application\" aria-label=\"" +
                text(worded("Maps")) + "\"></div>\n<aside>\n<label class=\"screen\">" + text(worded("Maps")) +
                "<select id=\"layer\"></select></label>\n<fieldset id=\"time\" class=\"screen\"><legend>" +

@@ -156,10 +156,11 @@ void add_hazard(std::vector<Parameter>& list) {
 }
 
 void add_exposure(std::vector<Parameter>& list) {
-    list.push_back(text("exposure.fragility", FRANA_MEMBER(exposure.fragility), "file",
-                        "CSV with the states of damage of the features of output.exposure, and how likely each is at "
-                        "an intensity: gives the expected damage.",
-                        "no damage"));
+    list.push_back(holds(
+        "table", text("exposure.fragility", FRANA_MEMBER(exposure.fragility), "file",
+                      "CSV with the states of damage of the features of output.exposure, and how likely each is at "
+                      "an intensity: gives the expected damage.",
+                      "no damage")));
     list.push_back(text("exposure.value", FRANA_MEMBER(exposure.value), "text",
                         "Column of output.exposure with what each feature is worth.", "each is worth 1"));
     list.push_back(text("exposure.class", FRANA_MEMBER(exposure.kind), "text",

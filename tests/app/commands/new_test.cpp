@@ -72,6 +72,25 @@ TEST_F(New, ARegionToBeginWithIsReadAsItIsAndWithItsFrequency) {
     EXPECT_NE(frequency.out.find("64 of each slope"), std::string::npos) << frequency.out;
 }
 
+TEST_F(New, ARegionFindsItsColumnsByTheirNames) {
+    const std::string sample = std::string(FRANA_SOURCE_DIR) + "/sample_data/fan/";
+    ASSERT_EQ(frana({"new", sample + "dtm.tif", sample + "slopes.geojson", "--thickness", "1", "--preset",
+                     "debris-flow", "--out", "my.ini", "--region", "region.ini", "--study", "study.ini"})
+                  .exit_code,
+              0);
+    const std::string text = read_text(path("region.ini"));
+    for (const char* line :
+         {"\nname = NAME\n", "\nscenario = SCENARIO\n", "\n# return-period = YEARS\n", "\nrelease.volume = VOLUME\n",
+          "\n# frequency.rate = RATE\n", "\n# frequency.volumes = VOLUMES\n"})
+        EXPECT_NE(text.find(line), std::string::npos) << line << text;
+    const Outcome checked = frana({"check", "region.ini"});
+    EXPECT_EQ(checked.exit_code, 0) << checked.err;
+    EXPECT_NE(checked.out.find("Rio Bianco, scenario T300"), std::string::npos) << checked.out;
+    write("study.ini", read_text(path("study.ini")) + "material.turbulence = log-uniform(150, 300)\n");
+    const Outcome study = frana({"check", "study.ini"});
+    EXPECT_EQ(study.exit_code, 0) << study.err;
+}
+
 TEST_F(New, AnOpenPresetIsAskedForWithTheChoicesAndRefusedByTheCheck) {
     ASSERT_EQ(frana({"new", "dtm.asc", "perimeter.geojson", "--thickness", "2", "--out", "my.ini"}).exit_code, 0);
     const std::string text = read_text(path("my.ini"));

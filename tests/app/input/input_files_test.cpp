@@ -149,6 +149,13 @@ std::optional<InputFiles::Sample> InputFiles::file_sample_of(const std::string& 
         {"output.cross-sections", {scene, {shape}, line}},
         {"output.profiles", {scene, {shape}, line}},
         {"output.exposure", {scene, {shape}, point}},
+        {"exposure.fragility",
+         {scene,
+          {name + "=file.csv", "output.exposure=perimeter.geojson"},
+          [this](int version) {
+              write("file.csv", "state,loss_ratio,quantity,unit,median,beta\nheavy,1,depth,m," +
+                                    std::to_string(1 + version) + ",0\n");
+          }}},
         {"observed.perimeter", {scene, {shape}, box(30)}},
         {"observed.front", {scene, {shape}, line}},
         {"observed.deposit", {scene, {shape}, box(100)}},

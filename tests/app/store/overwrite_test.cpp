@@ -81,7 +81,8 @@ void Overwrite::make_studies(bool all) const {
     const std::string two_keys =
         "[vary]\nmaterial.friction-angle = uniform(12, 20)\nmaterial.turbulence = uniform(200, 400)\n";
     write_scene(k_numbers_only +
-                "pressure-thresholds = 5\nmomentum-flux-thresholds = 1\n[hazard]\nscheme = swiss-debris-flow\nprocess "
+                "formats = geotiff, shp, kmz, dxf\npressure-thresholds = 5\nmomentum-flux-thresholds = "
+                "1\n[hazard]\nscheme = swiss-debris-flow\nprocess "
                 "= all\n[material]\n"
                 "density = 2000\n");
     write("study.ini",
@@ -115,9 +116,11 @@ TEST_F(Overwrite, EveryFileOfAResultIsInItsManifestAndInTheTable) {
     render_all();
     run(k_structured + k_every_output, "other");
     run("[material]\nfriction-table = ramms-avalanche\nreturn-period = 100\n" + k_every_output, "table");
+    run(k_voellmy + k_numbers_only + "formats = geotiff, shp, kmz, dxf\n[hazard]\nscheme = austrian-torrent\n",
+        "zones");
     make_studies(true);
     std::map<std::string, int> rows;
-    for (const std::string result : {"old", "other", "table", "range", "region", "fitted", "fitted_to_two"}) {
+    for (const std::string result : {"zones", "old", "other", "table", "range", "region", "fitted", "fitted_to_two"}) {
         const auto manifest = app::read_manifest(path(result));
         ASSERT_TRUE(manifest);
         for (const std::string& name : files_below(path(result))) {

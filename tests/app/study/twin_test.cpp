@@ -180,7 +180,7 @@ class Twin : public TinyScene {
         for (std::size_t k = 0; k < 2; ++k) {
             double below = 0, mean = 0, square = 0;
             for (std::size_t i = 0; i < after.weights.size(); ++i) {
-                const double weight = after.weights[i], at = after.keys[k].places[i];
+                const double weight = after.weights[i], at = after.sample.places[i][k];
                 below += at < truth[k] ? weight : 0;
                 mean += weight * at;
                 square += weight * at * at;
@@ -296,7 +296,7 @@ TEST_F(Twin, WrongWorldsAreTold) {
         unsigned told = 0;
         std::map<std::string, unsigned> kinds;
         for (unsigned twin = 0; twin < twins; ++twin) {
-            const TwinResult one = calibrated(twin, 0.25, asked == nullptr ? 18 : 60, world);
+            const TwinResult one = calibrated(twin, 0.25, 60, world);
             told += is_told(one) ? 1 : 0;
             for (const std::string& kind : std::set<std::string>(one.told.begin(), one.told.end())) ++kinds[kind];
             if (asked == nullptr) {

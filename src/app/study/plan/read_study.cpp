@@ -23,29 +23,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* k_until_settled =
+    "Remove it: after the design, runs are chosen one batch after the other until the posterior has settled; "
+    "study.samples is the most there may be";
+
 /// Keys of earlier versions, and what to use.
 constexpr std::pair<const char*, const char*> k_gone_keys[] = {
     {"region.window", "Remove it: terrain is read where the flow of a slope comes"},
     {"study.levels", "Remove it: sampling = sobol is as certain at the same cost"},
     {"study.per-polygon", "Write a region, whose polygons each fail alone, and run it with `frana batch`"},
-    {"study.refine",
-     "Remove it: after the design, runs are chosen one batch after the other until the posterior has settled; "
-     "study.samples is the most there may be"},
-    {"study.coarse",
-     "Remove it: after the design, runs are chosen one batch after the other until the posterior has settled; "
-     "study.samples is the most there may be"}};
+    {"study.refine", k_until_settled},
+    {"study.coarse", k_until_settled}};
 
 /// Sections of each kind of study, for messages.
 constexpr const char* k_sections[] = {
-    "An ensemble has the sections [study], [set], [vary], [correlate] and [frequency]; a calibration, for `frana "
-    "calibrate`, also "
-    "[objective] and [event NAME]",
+    "An ensemble has the sections [study], [set], [vary], [correlate] and [frequency]; a calibration, for "
+    "`frana calibrate`, also [objective] and [event NAME]",
     "A region has the sections [region], [set], [columns], [scenario NAME], or [vary], [correlate] and [frequency]",
     "A calibration has the sections [study], [objective], [set], [vary], [correlate], and for single events [event "
     "NAME], [set NAME], [vary NAME]"};
 
 constexpr std::int64_t k_draws_of_slope = 64;
-constexpr std::size_t k_longest_name = 60;  // files are named after events
+constexpr std::size_t k_longest_name = 60;  // of files named after events
 
 /// The name of an event that has no section: that of its scene, in letters that names of files may have.
 std::string event_name(const std::string& scene) {
@@ -296,8 +295,7 @@ void StudyReader::check_scenarios() {
                          "Give every scenario a column for each of them"});
         for (const std::string& key : keys_of(event))
             if (has_seen("set." + key) || has_seen("columns." + key))
-                add_problem(
-                    {"is also in [set] or [columns]", where(section + "." + key), "", "", "Keep one of the two"});
+                add_problem({"is also in [set] or [columns]", where(section + "." + key), "", "", "Keep one of them"});
     }
 }
 
@@ -568,11 +566,10 @@ void StudyReader::check_sampling() {
 
 std::pair<double, double> number_and_deviation(const std::string& text) {
     constexpr double k_none = std::numeric_limits<double>::quiet_NaN();
-    // As many bytes in ASCII as in UTF-8.
-    const std::size_t sign = std::min(text.find("+-"), text.find("\u00b1"));
+    const std::size_t sign = std::min(text.find("+-"), text.find("\u00b1"));  // each has two bytes
     const double value = number_from_text(trimmed(text.substr(0, sign))).value_or(k_none);
     if (sign == std::string::npos) return {value, 0};
-    const double deviation = number_from_text(trimmed(text.substr(sign + 2))).value_or(k_none);
+    const double deviation = number_from_text(trimmed(text.substr(sign + 2))).value_or(0);
     return {value, deviation > 0 ? deviation : k_none};
 }
 

@@ -253,7 +253,7 @@ SampleTable samples_at(const StudySpec& study, const Places& independent, const 
 namespace {
 
 constexpr const char* k_weight_column = "weight";
-/// Columns of members.csv and posterior.csv that are no keys and no values of a run.
+/// Columns of members.csv that are no keys and no values of a run.
 constexpr const char* k_result_columns[] = {"member",        "status",    "score",          "annual_rate",
                                             "level",         "name",      "group",          "scenario",
                                             "return_period", "volume_m3", "engine_seconds", "reason"};
@@ -264,11 +264,8 @@ std::vector<std::string> result_columns() {
     return all;
 }
 
-bool is_result_column(const std::string& name, const std::vector<Parameter>& parameters) {
-    if (is_value_key(name) || name.starts_with("score ") || name.starts_with("misfit ")) return true;
-    // The key of one event in the posterior of several.
-    const auto event = name.find(" of ");
-    if (event != std::string::npos && find_parameter(parameters, name.substr(0, event)) != nullptr) return true;
+bool is_result_column(const std::string& name) {
+    if (is_value_key(name)) return true;
     const std::vector<std::string> all = result_columns();
     return std::find(all.begin(), all.end(), name) != all.end();
 }
@@ -283,8 +280,7 @@ Problem unknown_column(const std::string& name, const std::string& place, const 
     known.emplace_back(k_weight_column);
     for (const std::string& column : result_columns()) known.push_back(column);
     const std::string nearest = nearest_name(lower_case(name), known);
-    return {"is neither a key of the scene, nor weight, nor a column that members.csv or posterior.csv has", place, "",
-            "",
+    return {"is neither a key of the scene, nor weight, nor a column that members.csv has", place, "", "",
             nearest.empty() ? "Rename or remove it; `frana params` lists all keys" : "Did you mean " + nearest + "?"};
 }
 
@@ -320,7 +316,7 @@ SampleTable samples_of_table(const std::vector<std::string>& columns, const std:
             weights = i;
             table.columns.push_back({columns[i], TableColumn::Use::weight});
         } else if (const Parameter* const parameter = find_parameter(parameters, name); parameter == nullptr) {
-            if (is_result_column(columns[i], parameters))
+            if (is_result_column(columns[i]))
                 table.columns.push_back({columns[i], TableColumn::Use::result});
             else
                 problems.add(unknown_column(columns[i], place, parameters));

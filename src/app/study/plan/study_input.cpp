@@ -66,24 +66,19 @@ void refuse_accuracy(SceneReading& central) {
 
 /// Keeps the rows of a posterior that the study asks for, and the columns that these fill.
 void choose_rows(StudyReading& reading, gis::Table& table) {
-    const auto column = [&](const char* name) {
-        return static_cast<std::size_t>(std::find(table.columns.begin(), table.columns.end(), name) -
-                                        table.columns.begin());
-    };
-    const std::size_t of_use = column(k_for_column), of_event = column(k_event_column), columns = table.columns.size();
     const std::string asked = reading.study.rows.value_or(k_new_slope), use = asked.substr(0, asked.find(' ')),
-                      event = use == asked ? "" : trimmed(asked.substr(use.size()));
+                      event = trimmed(asked.substr(use.size()));
     const auto refuse = [&](const std::string& what, const std::string& limit) {
         reading.problems.add({what, reading.where("study.for"), asked, limit,
                               "Write new-slope, this-event, or this-event NAME of several events"});
     };
-    if (of_use == columns) {
-        if (reading.study.rows) refuse("has no effect: the table has no column named for", "");
+    if (table.columns.size() < 2 || table.columns[0] != k_for_column || table.columns[1] != k_event_column) {
+        if (reading.study.rows) refuse("has no effect: the table does not begin with the columns for and event", "");
         return;
     }
     std::set<std::string> events;
     for (const auto& row : table.rows)
-        if (of_event < columns && row[of_use] == k_this_event) events.insert(row[of_event]);
+        if (row[0] == k_this_event) events.insert(row[1]);
     const std::string names = joined({events.begin(), events.end()}, ", ");
     if (use == k_this_event && event.empty() && events.size() > 1) return refuse("is of several events", names);
     const std::string scene = std::filesystem::path(reading.study.scene).stem().string();
@@ -91,14 +86,11 @@ void choose_rows(StudyReading& reading, gis::Table& table) {
         reading.doubts.push_back("draws of a new slope for the scene of event " + scene +
                                  "; for the event itself write study.for = this-event" +
                                  (events.size() > 1 ? " " + scene : ""));
-    std::erase_if(table.rows, [&](const std::vector<std::string>& row) {
-        return row[of_use] != use || (!event.empty() && (of_event == columns || row[of_event] != event));
-    });
+    std::erase_if(table.rows, [&](const auto& row) { return row[0] != use || (!event.empty() && row[1] != event); });
     if (table.rows.empty()) return refuse("is not in the table", names);
-    for (std::size_t i = columns; i-- > 0;) {
-        const bool is_filled = std::any_of(table.rows.begin(), table.rows.end(),
-                                           [&](const auto& row) { return !trimmed(row[i]).empty(); });
-        if (is_filled && i != of_use && i != of_event) continue;
+    for (std::size_t i = table.columns.size(); i-- > 0;) {
+        const auto is_empty = [&](const auto& row) { return trimmed(row[i]).empty(); };
+        if (i > 1 && !std::all_of(table.rows.begin(), table.rows.end(), is_empty)) continue;
         const auto at = static_cast<std::ptrdiff_t>(i);
         table.columns.erase(table.columns.begin() + at);
         for (auto& row : table.rows) row.erase(row.begin() + at);

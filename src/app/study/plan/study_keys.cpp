@@ -474,10 +474,4 @@ StudySpec StudySpec::of_event(std::size_t event) const {
     return one;
 }
 
-std::size_t StudySpec::first_own_key(std::size_t event) const {
-    std::size_t keys = vary.size();
-    for (std::size_t e = 0; e < event; ++e) keys += events[e].vary.size();
-    return keys;
-}
-
 }  // namespace frana::app::study

@@ -120,15 +120,13 @@ std::vector<MemberRecord> CalibrationRuns::runs() const {
 
 EventModel model_of(const StudySpec& calibration, std::size_t event, const EventRuns& runs) {
     StudySpec prior = calibration.of_event(event);
-    std::vector<Distribution> keys;
-    for (const Variation& one : prior.vary) keys.push_back(one.distribution);
     EventEvidence evidence{{}, runs.is_stated() ? runs.pieces : calibration.exponent, runs.scatter, runs.is_stated()};
     for (std::size_t i = 0; i < runs.searched; ++i)
         evidence.distances.push_back(runs.is_stated() ? std::sqrt(runs.agreements[i].chi_square)
                                                       : runs.agreements[i].misfit);
     prior.samples = k_prior_places;
     prior.sampling = Sampling::sobol;
-    return {std::move(keys),
+    return {prior.vary,
             {runs.places.begin(), runs.places.begin() + static_cast<std::ptrdiff_t>(runs.searched)},
             std::move(evidence),
             draw_places(prior),
@@ -144,9 +142,7 @@ std::optional<CalibrationRuns> run_calibration(StudyInput& input, const RunSetti
         if (!one) return std::nullopt;
         runs.alone.push_back(std::move(*one));
     }
-    std::vector<Distribution> shared;
-    for (const Variation& one : calibration.vary) shared.push_back(one.distribution);
-    runs.population = population_of(shared, runs.alone, calibration.seed);
+    runs.population = population_of(calibration.vary, runs.alone, calibration.seed);
     for (std::size_t e = 0; e < input.events(); ++e) {
         for (std::vector<double>& place : evenly_drawn(runs.population.events[e], forecast_runs(calibration)))
             runs.events[e].places.push_back(std::move(place));

@@ -56,16 +56,20 @@ CellWindow window_of(const FinishedMembers& members, const GridSpec& grid) {
     return {top, left, bottom - top, right - left};
 }
 
-/// The runs of draws of an event's posterior.
-OpenRuns drawn_runs(const EventRuns& event) {
+/// The runs of draws of an event's posterior: those that finished, and all.
+std::pair<FinishedMembers, OpenRuns> drawn_runs(const EventRuns& event) {
+    FinishedMembers finished;
     OpenRuns all;
     const RecordFiles records(event.records);
     for (std::size_t i = event.searched; i < event.members.size(); ++i) {
+        const bool has_failed = !event.members[i].failure.empty();
         all.runs.records.push_back(records.place(i));
-        all.runs.weights.push_back(1 / static_cast<double>(event.members.size() - event.searched));
-        all.is_open.push_back(event.members[i].end.is_open() || !event.members[i].failure.empty());
+        all.is_open.push_back(event.members[i].end.is_open() || has_failed);
+        if (!has_failed) finished.records.push_back(records.place(i));
     }
-    return all;
+    for (FinishedMembers* one : {&finished, &all.runs})
+        one->weights.assign(one->size(), 1 / static_cast<double>(one->size()));
+    return {std::move(finished), std::move(all)};
 }
 
 MapSource source_of(const StudyInput& input, std::size_t e, const EventRuns& runs, std::size_t best,
@@ -109,12 +113,7 @@ void publish_calibration_maps(const StudyInput& input, const CalibrationRuns& ru
                               const Troubles& troubles, const ResultDirectory& directory, RunLog& log) {
     for (std::size_t e = 0; e < input.events(); ++e) {
         const Prepared& base = input.own[e].base;
-        const OpenRuns drawn = drawn_runs(runs.events[e]);
-        FinishedMembers finished;
-        for (std::size_t i = 0; i < drawn.runs.size(); ++i)
-            if (runs.events[e].members[runs.events[e].searched + i].failure.empty())
-                finished.records.push_back(drawn.runs.records[i]);
-        finished.weights.assign(finished.size(), 1 / static_cast<double>(finished.size()));
+        const auto [finished, drawn] = drawn_runs(runs.events[e]);
         const CellWindow window = window_of(finished, base.scene.grid);
         if (window.rows == 0 || window.columns == 0) continue;
         const std::string name = "posterior_" + input.spec().events[e].name;
@@ -150,7 +149,7 @@ Table keys_table(const StudyInput& input, const CalibrationResult& result, const
                  words("90 % after"), words("width, of that before")});
     const auto add = [&](const KeyDraws& draws, const std::string& name, std::size_t e) {
         for (std::size_t k = 0; k < draws.keys.size(); ++k) {
-            const KeySample& key = draws.keys[k];
+            const Variation& key = draws.keys[k];
             const KeyPosterior& after = draws.posteriors[k];
             std::string probabilities, best;
             if (!draws.event.empty()) {
@@ -161,9 +160,9 @@ Table keys_table(const StudyInput& input, const CalibrationResult& result, const
             for (const auto& [value, probability] : after.values)
                 probabilities += (probabilities.empty() ? "" : ", ") + words.labelled(value, number(probability, 2));
             if (after.nominal)
-                table.row({name, key.key, key.prior.text, best, "", probabilities, ""});
+                table.row({name, key.key, key.distribution.text, best, "", probabilities, ""});
             else
-                table.row({name, key.key, key.prior.text, best, number(after.median, 3),
+                table.row({name, key.key, key.distribution.text, best, number(after.median, 3),
                            range(after.low, after.high, words), number(after.width, 2)});
         }
     };
@@ -319,11 +318,11 @@ render::ChartPanel posterior_panel(const CalibrationData& data, const Variation&
     for (std::size_t i = 0; i < places.size(); ++i) before.points.push_back({prior.numbers[i][0], places[i][0]});
     panel.series.push_back(std::move(before));
     const auto add = [&](const KeyDraws& draws, const std::string& name, double width) {
-        for (const KeySample& one : draws.keys) {
-            if (one.key != key.key) continue;
+        for (std::size_t k = 0; k < draws.keys.size(); ++k) {
+            if (draws.keys[k].key != key.key) continue;
             const std::size_t colour = (panel.series.size() - 1) % std::size(render::k_chart_colours);
             render::ChartSeries after{name, render::k_chart_colours[colour], {}, width};
-            for (const Point& point : exceedance_curve(one.numbers, draws.weights))
+            for (const Point& point : exceedance_curve(column_of(draws.sample.numbers, k), draws.weights))
                 after.points.push_back({point.x, 1 - point.y});
             panel.series.push_back(std::move(after));
         }
@@ -335,15 +334,9 @@ render::ChartPanel posterior_panel(const CalibrationData& data, const Variation&
 
 std::optional<render::Chart> posterior(const CalibrationData& data, const std::string& title, const MapSource& source) {
     constexpr std::size_t k_most_panels = 9;
-    std::vector<Variation> keys;
-    const auto add = [&](const std::vector<Variation>& more) {
-        for (const Variation& key : more)
-            if (!key.distribution.is_nominal() && keys.size() < k_most_panels &&
-                std::none_of(keys.begin(), keys.end(), [&](const Variation& one) { return one.key == key.key; }))
-                keys.push_back(key);
-    };
-    add(data.input.spec().vary);
-    for (const EventSpec& event : data.input.spec().events) add(event.vary);
+    std::vector<Variation> keys = keys_of(data.input.spec());
+    std::erase_if(keys, [](const Variation& key) { return key.distribution.is_nominal(); });
+    keys.resize(std::min(keys.size(), k_most_panels));
     if (keys.empty()) return std::nullopt;
     const Words& words = source.style.words;
     render::Chart chart =

@@ -30,33 +30,27 @@ namespace {
 KeyDraws key_draws(const StudyReading& reading, const StudySpec& study, const std::string& event,
                    const PosteriorSample& sample) {
     Problems of_values;  // told of the members
-    const SampleTable table = samples_at(study, sample.places, reading.label, of_values);
-    KeyDraws draws{event, {}, sample.weights, {}, {}, {}};
-    for (std::size_t k = 0; k < study.vary.size(); ++k) {
-        KeySample& key =
-            draws.keys.emplace_back(KeySample{study.vary[k].key, event, study.vary[k].distribution, {}, {}, {}});
-        for (std::size_t i = 0; i < table.size(); ++i) {
-            key.places.push_back(table.places[i][k]);
-            key.numbers.push_back(table.numbers[i][k]);
-            key.texts.push_back(table.values[i][k]);
-        }
-    }
-    draws.posteriors = key_posteriors(draws.keys, draws.weights);
-    draws.indistinct = indistinct_pairs(draws.keys, draws.weights);
-    draws.draws = samples_at(study, evenly_drawn(sample, k_draws), reading.label, of_values);
+    KeyDraws draws{event,
+                   study.vary,
+                   samples_at(study, sample.places, reading.label, of_values),
+                   sample.weights,
+                   {},
+                   {},
+                   samples_at(study, evenly_drawn(sample, k_draws), reading.label, of_values)};
+    draws.posteriors = key_posteriors(draws.keys, draws.sample, draws.weights, event);
+    draws.indistinct = indistinct_pairs(draws.sample, draws.weights);
     return draws;
 }
 
 /// Another slope: the keys that all events have.
-KeyDraws next_slope(const StudyReading& reading, const Places& places) {
+KeyDraws next_slope(const StudyReading& reading, const PosteriorSample& sample) {
     StudySpec next = reading.study.of_event(0);
     next.vary = reading.study.vary;
     std::erase_if(next.correlate, [&](const Correlation& one) {
         return std::count_if(next.vary.begin(), next.vary.end(),
                              [&](const Variation& key) { return key.key == one.first || key.key == one.second; }) < 2;
     });
-    return key_draws(reading, next, "",
-                     {places, std::vector<double>(places.size(), 1 / static_cast<double>(places.size()))});
+    return key_draws(reading, next, "", sample);
 }
 
 Scores scores_of(const std::vector<double>& scores, double variance_of_each = 0) {
@@ -74,15 +68,10 @@ void predict(const StudyInput& input, const CalibrationRuns& runs, std::size_t e
     const EventRuns& own = runs.events[event];
     std::vector<PosteriorSample> others = runs.alone;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(event));
-    std::vector<Distribution> shared, all;
     const StudySpec& calibration = input.spec();
-    for (const Variation& one : calibration.vary) shared.push_back(one.distribution);
-    for (const Variation& one : calibration.of_event(event).vary) all.push_back(one.distribution);
-    const Places next = population_of(shared, std::move(others), calibration.seed).next;
-    const KeyDraws draws = next_slope(input.reading, next);
-    result.predicted_keys = draws.posteriors;
-    Places places =
-        evenly_drawn({next, std::vector<double>(next.size(), 1 / static_cast<double>(next.size()))}, k_draws);
+    const PosteriorSample next = population_of(calibration.vary, std::move(others), calibration.seed).next;
+    result.predicted_keys = next_slope(input.reading, next).posteriors;
+    Places places = evenly_drawn(next, k_draws);
     if (StudySpec of_own = calibration; !calibration.events[event].vary.empty()) {
         of_own.vary = calibration.events[event].vary;
         of_own.samples = static_cast<std::int64_t>(places.size());
@@ -93,7 +82,7 @@ void predict(const StudyInput& input, const CalibrationRuns& runs, std::size_t e
     std::vector<double> misfits, scores;
     for (std::size_t i = 0; i < own.searched; ++i) misfits.push_back(own.agreements[i].misfit);
     double variance = 0;
-    for (const Prediction& one : emulator_of(all, own.places, misfits).at(places)) {
+    for (const Prediction& one : emulator_of(calibration.of_event(event).vary, own.places, misfits).at(places)) {
         scores.push_back(1 - std::min(one.mean, 1.0));
         variance += one.variance / static_cast<double>(places.size());
     }
@@ -190,23 +179,22 @@ CalibrationResult calibration_result(const StudyInput& input, const CalibrationR
     return result;
 }
 
-namespace {
-
-/// The keys of all events, each once.
-std::vector<std::string> keys_of(const StudySpec& calibration) {
-    std::vector<std::string> all;
-    for (const Variation& one : calibration.vary) all.push_back(one.key);
+std::vector<Variation> keys_of(const StudySpec& calibration) {
+    std::vector<Variation> all = calibration.vary;
     for (const EventSpec& event : calibration.events)
         for (const Variation& one : event.vary)
-            if (std::find(all.begin(), all.end(), one.key) == all.end()) all.push_back(one.key);
+            if (std::none_of(all.begin(), all.end(), [&](const Variation& other) { return other.key == one.key; }))
+                all.push_back(one);
     return all;
 }
 
+namespace {
+
 /// Adds a member's values to a row, empty where the key is not one of its own.
-void add_values(const std::vector<std::string>& keys, const SampleTable& table, std::size_t member,
+void add_values(const std::vector<Variation>& keys, const SampleTable& table, std::size_t member,
                 std::vector<std::string>& row) {
-    for (const std::string& key : keys) {
-        const auto found = std::find(table.keys.begin(), table.keys.end(), key);
+    for (const Variation& key : keys) {
+        const auto found = std::find(table.keys.begin(), table.keys.end(), key.key);
         row.push_back(found == table.keys.end()
                           ? ""
                           : table.values[member][static_cast<std::size_t>(found - table.keys.begin())]);
@@ -244,9 +232,9 @@ std::string posterior_csv(const StudyInput& input, const CalibrationRuns& runs, 
     std::string text = troubles.any() ? "# " + one_line(headline(troubles).text()) + "\n" : "";
     for (const StudyDoubt& doubt : result.doubts) text += "# " + one_line(doubt.text.text()) + "\n";
     if (result.spread) text += "# " + one_line(result.spread->text()) + "\n";
-    const std::vector<std::string> keys = keys_of(input.spec());
+    const std::vector<Variation> keys = keys_of(input.spec());
     std::vector<std::string> heads{k_for_column, k_event_column};
-    heads.insert(heads.end(), keys.begin(), keys.end());
+    for (const Variation& key : keys) heads.push_back(key.key);
     text += csv_line(heads);
     const auto add = [&](const KeyDraws& draws) {
         for (std::size_t i = 0; i < draws.draws.size(); ++i) {
@@ -263,9 +251,9 @@ std::string posterior_csv(const StudyInput& input, const CalibrationRuns& runs, 
 /// Returns members.csv: a row for each run of each event with its values, score and misfits, and how it ended.
 std::string members_csv(const StudyInput& input, const CalibrationRuns& runs) {
     const StudySpec& calibration = input.spec();
-    const std::vector<std::string> keys = keys_of(calibration);
+    const std::vector<Variation> keys = keys_of(calibration);
     std::vector<std::string> heads{"event", "member", "use", "status", "score"};
-    heads.insert(heads.end(), keys.begin(), keys.end());
+    for (const Variation& key : keys) heads.push_back(key.key);
     for (const Weight& one : calibration.objective) heads.push_back(std::string("misfit ") + row_of(one.measure).name);
     heads.emplace_back("engine_seconds");
     heads.insert(heads.end(), std::begin(k_end_columns), std::end(k_end_columns));
@@ -354,12 +342,12 @@ std::string calibration_json(const StudyInput& input, const CalibrationRuns& run
     add(result.next);
     // Of the population of slopes: parts of the distributions' own spread.
     for (std::size_t k = 0; k < calibration.vary.size(); ++k)
-        if (const Population& of = runs.population; !std::isnan(of.spread[k]))
+        if (const Interval& spread = runs.population.spread[k]; !std::isnan(spread.value))
             json["spread"].push_back({{"key", calibration.vary[k].key},
                                       {"from", input.events() > 1 ? "events" : "assumed"},
-                                      {"q05", of.spread_low[k]},
-                                      {"q50", of.spread[k]},
-                                      {"q95", of.spread_high[k]}});
+                                      {"q05", spread.low},
+                                      {"q50", spread.value},
+                                      {"q95", spread.high}});
     for (const StudyDoubt& doubt : result.doubts)
         json["warnings"].push_back({{"kind", doubt.kind},
                                     {"event", doubt.event},
@@ -410,7 +398,7 @@ StudyOutcome publish_calibration(const StudyInput& input, const CalibrationRuns&
                                  const Stopwatch& since_start, const ResultDirectory& directory, RunLog& log) {
     CalibrationResult result = calibration_result(input, runs);
     check_schemes(input, runs, threads, result);
-    for (const StudyDoubt& doubt : result.doubts) log.warn(doubt.text);
+    for (const auto& [kind, event, key, value, sentence] : result.doubts) log.warn(sentence);
     StudyFacts facts;
     const StudyOutcome outcome = tell_of_runs(input, runs.runs(), k_member_table, facts, log);
     facts.threads = threads;

@@ -15,8 +15,9 @@ namespace frana::app::study {
 
 /// What is known of the keys of one event, or of another slope of the same kind.
 struct KeyDraws {
-    std::string event;            ///< empty: another slope
-    std::vector<KeySample> keys;  ///< with their values in a weighted sample
+    std::string event;  ///< empty: another slope
+    std::vector<Variation> keys;
+    SampleTable sample;  ///< of their values, with weights
     std::vector<double> weights;
     std::vector<KeyPosterior> posteriors;  ///< by key
     std::vector<IndistinctPair> indistinct;
@@ -48,6 +49,9 @@ struct CalibrationResult {
     std::vector<StudyDoubt> doubts;  ///< why the intervals may be wrong
     std::optional<Sentence> spread;  ///< what that of the slopes rests on if the events say nothing of it
 };
+
+/// The keys of all events, each once.
+std::vector<Variation> keys_of(const StudySpec& calibration);
 
 CalibrationResult calibration_result(const StudyInput& input, const CalibrationRuns& runs);
 

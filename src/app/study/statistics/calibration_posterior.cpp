@@ -38,22 +38,20 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b, c
     return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
 }
 
-void add_interval(const KeySample& key, const std::vector<double>& weights, KeyPosterior& to) {
-    to.low = weighted_quantile(key.numbers, weights, k_low);
-    to.median = weighted_quantile(key.numbers, weights, 0.5);
-    to.high = weighted_quantile(key.numbers, weights, k_high);
-    to.width = (weighted_quantile(key.places, weights, k_high) - weighted_quantile(key.places, weights, k_low)) /
-               (k_high - k_low);
+void add_interval(const Variation& key, const std::vector<double>& numbers, const std::vector<double>& places,
+                  const std::vector<double>& weights, KeyPosterior& to) {
+    to.low = weighted_quantile(numbers, weights, k_low);
+    to.median = weighted_quantile(numbers, weights, 0.5);
+    to.high = weighted_quantile(numbers, weights, k_high);
+    to.width =
+        (weighted_quantile(places, weights, k_high) - weighted_quantile(places, weights, k_low)) / (k_high - k_low);
     for (std::size_t i = 0; i < weights.size(); ++i) {
-        to.share_low += key.places[i] < k_edge ? weights[i] : 0;
-        to.share_high += key.places[i] > 1 - k_edge ? weights[i] : 0;
+        to.share_low += places[i] < k_edge ? weights[i] : 0;
+        to.share_high += places[i] > 1 - k_edge ? weights[i] : 0;
     }
-    StudySpec alone;
-    alone.vary.push_back({key.key, key.prior});
-    Problems none;
-    const SampleTable prior = samples_at(alone, {{k_low}, {k_high}}, "", none);
-    to.prior_low = prior.numbers[0][0];
-    to.prior_high = prior.numbers[1][0];
+    const std::vector<double> prior = openturns().quantiles(key.distribution, {k_low, k_high});
+    to.prior_low = prior[0];
+    to.prior_high = prior[1];
 }
 
 Sentence name_of(const KeyPosterior& key) {
@@ -149,16 +147,11 @@ std::vector<std::size_t> drawn(const std::vector<double>& weights, std::size_t c
 }
 
 Places evenly_drawn(const PosteriorSample& sample, std::size_t count) {
-    constexpr std::size_t k_bits = 60;
-    const std::size_t keys = std::min(sample.places.front().size(), k_bits),
-                      bits = std::min<std::size_t>(k_bits / keys, 30);
-    std::vector<std::uint64_t> codes(sample.places.size());  // bits of all keys in turn: Morton's order
-    for (std::size_t k = 0; k < keys; ++k)
-        for (std::size_t i = 0; i < codes.size(); ++i) {
-            const auto at = static_cast<std::uint64_t>(
-                std::ldexp(std::min(sample.places[i][k], 1 - 0x1p-53), static_cast<int>(bits)));
-            for (std::size_t bit = 0; bit < bits; ++bit) codes[i] |= (at >> bit & 1U) << (bit * keys + k);
-        }
+    std::vector<std::string> codes(sample.places.size());  // bits of all keys in turn: Morton's order
+    for (std::size_t i = 0; i < codes.size(); ++i)
+        for (int bit = 1; bit <= 20; ++bit)
+            for (const double at : sample.places[i])
+                codes[i] += static_cast<int>(std::ldexp(at, bit)) % 2 == 0 ? '0' : '1';
     std::vector<std::size_t> order(codes.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return codes[a] < codes[b]; });
@@ -181,15 +174,16 @@ double greatest_move(const PosteriorSample& before, const PosteriorSample& after
 namespace {
 
 /// A choice has a coordinate of 0 and 1 for each of its values; an error field is none: it is an error of the values.
-Places coordinates(const std::vector<Distribution>& keys, const Places& places) {
+Places coordinates(const std::vector<Variation>& keys, const Places& places) {
     Places all;
     for (const std::vector<double>& place : places) {
         std::vector<double>& one = all.emplace_back();
         for (std::size_t k = 0; k < keys.size(); ++k) {
-            if (keys[k].law == Law::gaussian_field) continue;
-            if (keys[k].law != Law::choice) one.push_back(place[k]);
+            const Distribution& key = keys[k].distribution;
+            if (key.law == Law::gaussian_field) continue;
+            if (key.law != Law::choice) one.push_back(place[k]);
             double below = 0;
-            for (const double weight : keys[k].weights) {
+            for (const double weight : key.weights) {
                 one.push_back(place[k] >= below && place[k] < below + weight ? 1 : 0);
                 below += weight;
             }
@@ -200,8 +194,7 @@ Places coordinates(const std::vector<Distribution>& keys, const Places& places) 
 
 }  // namespace
 
-Emulator emulator_of(const std::vector<Distribution>& keys, const Places& places,
-                     const std::vector<double>& distances) {
+Emulator emulator_of(const std::vector<Variation>& keys, const Places& places, const std::vector<double>& distances) {
     Places at;
     std::vector<double> values;
     for (std::size_t i = 0; i < distances.size(); ++i) {
@@ -217,7 +210,7 @@ Emulator emulator_of(const std::vector<Distribution>& keys, const Places& places
     return emulator;
 }
 
-EventModel::EventModel(std::vector<Distribution> keys, Places places, EventEvidence evidence, Places prior,
+EventModel::EventModel(std::vector<Variation> keys, Places places, EventEvidence evidence, Places prior,
                        std::int64_t seed)
     : keys_(std::move(keys)),
       places_(std::move(places)),
@@ -225,7 +218,7 @@ EventModel::EventModel(std::vector<Distribution> keys, Places places, EventEvide
       evidence_(std::move(evidence)),
       emulator_(emulator_of(keys_, places_, evidence_.distances)),
       seed_(seed) {
-    const auto is_field = [](const Distribution& key) { return key.law == Law::gaussian_field; };
+    const auto is_field = [](const Variation& key) { return key.distribution.law == Law::gaussian_field; };
     if (std::none_of(keys_.begin(), keys_.end(), is_field)) emulator_.noise = 0;
 }
 
@@ -326,35 +319,33 @@ Places EventModel::next(std::size_t count) const {
     return chosen;
 }
 
-std::vector<KeyPosterior> key_posteriors(const std::vector<KeySample>& keys, const std::vector<double>& weights) {
+std::vector<KeyPosterior> key_posteriors(const std::vector<Variation>& keys, const SampleTable& draws,
+                                         const std::vector<double>& weights, const std::string& event) {
     std::vector<KeyPosterior> all;
-    for (const KeySample& key : keys) {
+    for (std::size_t k = 0; k < keys.size(); ++k) {
         KeyPosterior& one = all.emplace_back();
-        one.key = key.key;
-        one.event = key.event;
-        one.nominal = key.prior.is_nominal();
-        if (!one.nominal) {
-            add_interval(key, weights, one);
-        } else if (key.prior.law == Law::choice) {
-            for (const std::string& value : key.prior.values) {
-                double sum = 0;
-                for (std::size_t i = 0; i < weights.size(); ++i) sum += key.texts[i] == value ? weights[i] : 0;
-                one.values.emplace_back(value, sum);
-            }
+        one.key = keys[k].key;
+        one.event = event;
+        one.nominal = draws.nominal[k];
+        if (!one.nominal) add_interval(keys[k], column_of(draws.numbers, k), column_of(draws.places, k), weights, one);
+        for (const std::string& value : keys[k].distribution.values) {
+            if (!one.nominal) break;
+            double sum = 0;
+            for (std::size_t i = 0; i < weights.size(); ++i) sum += draws.values[i][k] == value ? weights[i] : 0;
+            one.values.emplace_back(value, sum);
         }
     }
     return all;
 }
 
-std::vector<IndistinctPair> indistinct_pairs(const std::vector<KeySample>& keys, const std::vector<double>& weights) {
+std::vector<IndistinctPair> indistinct_pairs(const SampleTable& draws, const std::vector<double>& weights) {
     std::vector<IndistinctPair> pairs;
-    for (std::size_t a = 0; a < keys.size(); ++a) {
-        for (std::size_t b = a + 1; b < keys.size(); ++b) {
-            if (keys[a].prior.is_nominal() || keys[b].prior.is_nominal()) continue;
-            const double rho = correlation(keys[a].places, keys[b].places, weights);
+    for (std::size_t a = 0; a < draws.keys.size(); ++a)
+        for (std::size_t b = a + 1; b < draws.keys.size(); ++b) {
+            if (draws.nominal[a] || draws.nominal[b]) continue;
+            const double rho = correlation(column_of(draws.places, a), column_of(draws.places, b), weights);
             if (std::abs(rho) >= k_indistinct_correlation) pairs.push_back({a, b, rho});
         }
-    }
     std::stable_sort(pairs.begin(), pairs.end(), [](const IndistinctPair& one, const IndistinctPair& other) {
         return std::abs(one.correlation) > std::abs(other.correlation);
     });

@@ -61,7 +61,7 @@ inline constexpr double k_settled = 0.02;
 
 /// Returns what members say of a distance at other places: a Gaussian process of those that finished.
 /// @param distances by member; NaN: it failed
-Emulator emulator_of(const std::vector<Distribution>& keys, const Places& places, const std::vector<double>& distances);
+Emulator emulator_of(const std::vector<Variation>& keys, const Places& places, const std::vector<double>& distances);
 
 /// What the members so far say of all places: a Gaussian process of the distance y to the survey of one event. With its
 /// mean m and variance v at a place, and N pieces, the expected likelihood of the event is
@@ -79,7 +79,7 @@ class EventModel {
     /// @param keys the event's distributions, by coordinate
     /// @param places of the members
     /// @param prior places spread over the cube
-    EventModel(std::vector<Distribution> keys, Places places, EventEvidence evidence, Places prior, std::int64_t seed);
+    EventModel(std::vector<Variation> keys, Places places, EventEvidence evidence, Places prior, std::int64_t seed);
 
     [[nodiscard]] double q2() const { return emulator_.q2; }  ///< NaN: too few members
     /// Factor of the stated errors.
@@ -101,7 +101,7 @@ class EventModel {
     [[nodiscard]] LogLikelihood log_likelihood(const Prediction& distance, double widened) const;
     [[nodiscard]] std::vector<LogLikelihood> log_likelihoods(const Places& at) const;
 
-    std::vector<Distribution> keys_;
+    std::vector<Variation> keys_;
     Places places_, prior_;
     EventEvidence evidence_;
     Emulator emulator_;
@@ -115,7 +115,7 @@ Places evenly_drawn(const PosteriorSample& sample, std::size_t count);
 
 /// What the surveys say of one key.
 struct KeyPosterior {
-    std::string key, event;  ///< event: empty if all share the key
+    std::string key, event;  ///< event: empty of another slope
     bool nominal = false;
     double low = 0, median = 0, high = 0;  ///< 5, 50, 95 % of the weight
     double prior_low = 0, prior_high = 0;  ///< the same of the distribution
@@ -134,17 +134,11 @@ struct IndistinctPair {
 /// Correlation from which two keys count as not told apart.
 inline constexpr double k_indistinct_correlation = 0.6;
 
-/// One key of a calibration: its prior and its values in the members.
-struct KeySample {
-    std::string key, event;
-    Distribution prior;
-    std::vector<double> places, numbers;  ///< by member
-    std::vector<std::string> texts;
-};
-
-std::vector<KeyPosterior> key_posteriors(const std::vector<KeySample>& keys, const std::vector<double>& weights);
+/// @param keys of the columns of `draws`, which have places  @param event whose keys they are; empty: another slope's
+std::vector<KeyPosterior> key_posteriors(const std::vector<Variation>& keys, const SampleTable& draws,
+                                         const std::vector<double>& weights, const std::string& event = "");
 /// Returns the pairs of keys with an order, the most correlated first.
-std::vector<IndistinctPair> indistinct_pairs(const std::vector<KeySample>& keys, const std::vector<double>& weights);
+std::vector<IndistinctPair> indistinct_pairs(const SampleTable& draws, const std::vector<double>& weights);
 
 /// Names the keys that the surveys do not tell apart.
 std::vector<Sentence> sentences(const std::vector<KeyPosterior>& keys, const std::vector<IndistinctPair>& pairs);

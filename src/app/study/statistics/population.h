@@ -21,9 +21,9 @@ namespace frana::app::study {
 /// options with the user's weights, as of one event more (Dirichlet's distribution); a field of error is another one on
 /// each slope.
 struct Population {
-    std::vector<PosteriorSample> events;                  ///< the places of each, with weights that the others change
-    Places next;                                          ///< of another slope, in the shared keys; equal draws
-    std::vector<double> spread, spread_low, spread_high;  ///< s by shared key: 50, 5, 95 %; NaN: it has no order
+    std::vector<PosteriorSample> events;  ///< the places of each, with weights that the others change
+    PosteriorSample next;                 ///< of another slope, in the shared keys; equal draws
+    std::vector<Interval> spread;         ///< s by shared key: 50, 5, 95 %; NaN: it has no order
 };
 
 /// Draws from the population by Gibbs sampling: an event's place among those of its posterior alone (Hogg, Myers and
@@ -31,7 +31,6 @@ struct Population {
 /// @param shared the keys that all events have, the first coordinates of their places
 /// @param events posteriors of each event alone; those that are not possible say nothing
 /// @param seed the same gives the same bits
-Population population_of(const std::vector<Distribution>& shared, std::vector<PosteriorSample> events,
-                         std::int64_t seed);
+Population population_of(const std::vector<Variation>& shared, std::vector<PosteriorSample> events, std::int64_t seed);
 
 }  // namespace frana::app::study

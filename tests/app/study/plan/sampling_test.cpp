@@ -188,8 +188,8 @@ TEST(Sampling, ATableGivesTheMembersItself) {
 TEST(Sampling, EveryColumnOfATableIsKnownOrRefusedWithTheNearest) {
     Problems problems;
     (void)samples_of_table({"material.friction-angle", "material.turbulense", "terrain.cell-size", "output.maps",
-                            "gauge a.b: max_depth_m", "release.volume of bindo", "score bindo"},
-                           {{"8", "5", "5", "on", "1", "2", "3"}}, "t.csv", problems);
+                            "gauge a.b: max_depth_m"},
+                           {{"8", "5", "5", "on", "1"}}, "t.csv", problems);
     ASSERT_EQ(problems.list().size(), 3U);
     EXPECT_EQ(problems.list()[0].where, "t.csv: material.turbulense");
     EXPECT_NE(problems.list()[0].remedy.find("material.turbulence"), std::string::npos);

@@ -85,6 +85,45 @@ TEST_F(Ranks, RegionsHaveTheSameBitsToo) {
     EXPECT_EQ(check("alone"), check("ranks"));
 }
 
+// The sample's slopes and draws on large cells, also after the death of a rank.
+TEST_F(Ranks, AFrequencyOfARegionHasTheSameBitsToo) {
+    std::string text = read_text(FRANA_SOURCE_DIR "/sample_data/fan/frequency.ini");
+    const auto replace = [&](const std::string& old, const std::string& by) {
+        ASSERT_NE(text.find(old), std::string::npos) << old;
+        text.replace(text.find(old), old.size(), by);
+    };
+    replace("scene.ini", FRANA_SOURCE_DIR "/sample_data/fan/scene.ini");
+    replace("samples = 64", "samples = 16");
+    replace("cell-size = 10", "cell-size = 30\ntime.end = 60\noutput.maps = off");
+    write("fan.ini", text);
+    const std::vector<std::string> command{"batch", "fan.ini", "--quiet", "--out"};
+    const auto with = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all = command;
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    };
+    for (const std::string threads : {"1", "2"}) {
+        const Outcome alone = frana(with({"alone" + threads, "--threads", threads}));
+        ASSERT_EQ(alone.exit_code, 0) << alone.err;
+    }
+    {
+        StartedProgram job(folder_.string(), under_mpirun(2, with({"out"})), "mpirun");
+        ASSERT_TRUE(job.wait_until([&] { return records().size() >= 8; }));
+        const auto ranks = ranks_here();
+        ASSERT_EQ(ranks.size(), 2U);
+        ASSERT_EQ(::kill(ranks.at(0), SIGKILL), 0);
+        EXPECT_NE(job.wait().exit_code, 0);
+    }
+    const Outcome resumed = mpirun(2, with({"out", "--resume"}));
+    ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+    EXPECT_EQ(members("out").size(), 32U);
+    for (const std::string other : {"alone2", "out"})
+        for (const std::string name : {"annual_rate_depth_0.5.tif", "max_depth_T100.tif", "hazard_curves.csv",
+                                       "disaggregation.csv", "exposure.csv"})
+            EXPECT_TRUE(read_text(path("alone1/" + name)) == read_text(path(other + "/" + name)))
+                << other << "/" << name;
+}
+
 TEST_F(Ranks, SameBitsForAnyNumberOfRanks) {
     write_study("samples = 12\nkeep = all\n", k_two_keys);
     ASSERT_EQ(frana({"ensemble", "study.ini", "--out", "alone", "--threads", "1", "--quiet"}).exit_code, 0);

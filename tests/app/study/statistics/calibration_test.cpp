@@ -26,19 +26,9 @@ StudySpec two_keys(std::int64_t samples) {
     return study;
 }
 
-std::vector<KeySample> samples_of(const StudySpec& study, const Places& places) {
+SampleTable samples_of(const StudySpec& study, const Places& places) {
     Problems none;
-    const SampleTable table = samples_at(study, places, "", none);
-    std::vector<KeySample> keys;
-    for (std::size_t k = 0; k < study.vary.size(); ++k) {
-        KeySample& key = keys.emplace_back(KeySample{study.vary[k].key, "", study.vary[k].distribution, {}, {}, {}});
-        for (std::size_t i = 0; i < table.size(); ++i) {
-            key.places.push_back(table.places[i][k]);
-            key.numbers.push_back(table.numbers[i][k]);
-            key.texts.push_back(table.values[i][k]);
-        }
-    }
-    return keys;
+    return samples_at(study, places, "", none);
 }
 
 constexpr double k_truth = 0.4, k_spread = 0.05;
@@ -46,9 +36,7 @@ constexpr double k_truth = 0.4, k_spread = 0.05;
 /// A cube of two ordered keys of which the posterior of one event is known.
 EventModel model_of(const Places& members, const std::vector<double>& distances, bool is_stated, double pieces) {
     const StudySpec study = two_keys(2048);
-    std::vector<Distribution> keys;
-    for (const Variation& one : study.vary) keys.push_back(one.distribution);
-    return {keys, members, {distances, pieces, std::sqrt(2 * pieces), is_stated}, draw_places(study), 5};
+    return {study.vary, members, {distances, pieces, std::sqrt(2 * pieces), is_stated}, draw_places(study), 5};
 }
 
 double quantile_of(const PosteriorSample& sample, std::size_t key, double q) {
@@ -129,8 +117,7 @@ TEST(EventModel, AFieldOfErrorIsIntegratedOver) {
         distances.push_back(std::hypot(3, (place[0] - k_truth - g) / k_spread));
     }
     study.samples = 2048;
-    const std::vector<Distribution> keys{study.vary[0].distribution, study.vary[1].distribution};
-    const EventModel model(keys, members, {distances, 9, std::sqrt(18), true}, draw_places(study), 5);
+    const EventModel model(study.vary, members, {distances, 9, std::sqrt(18), true}, draw_places(study), 5);
     const PosteriorSample sample = model.sample();
     const double width = quantile_of(sample, 0, 0.95) - quantile_of(sample, 0, 0.05);
     EXPECT_GT(width, 1.1 * 3.29 * k_spread);
@@ -151,7 +138,7 @@ TEST(Posterior, WithoutSurveysIntervalsAreThoseOfTheDistributions) {
     const StudySpec study = two_keys(4096);  // points of a Sobol' sequence: 1/4096 apart in each key
     const Places places = draw_places(study);
     const std::vector<double> even(places.size(), 1 / static_cast<double>(places.size()));
-    const std::vector<KeyPosterior> keys = key_posteriors(samples_of(study, places), even);
+    const std::vector<KeyPosterior> keys = key_posteriors(study.vary, samples_of(study, places), even);
     EXPECT_NEAR(keys[0].prior_low, 0.05, 1e-9);
     EXPECT_NEAR(keys[0].prior_high, 0.95, 1e-9);
     EXPECT_NEAR(keys[1].low, 105, 1);
@@ -213,24 +200,25 @@ TEST(Posterior, KeysOnARidgeCannotBeToldApart) {
     std::vector<double> logs;
     for (const auto& place : places) logs.push_back(-40 * std::abs(place[0] + place[1] - 1));
     const std::vector<double> weights = weights_of(logs, std::vector<double>(places.size(), 1));
-    const std::vector<KeySample> keys = samples_of(study, places);
-    const auto pairs = indistinct_pairs(keys, weights);
+    const SampleTable draws = samples_of(study, places);
+    const auto pairs = indistinct_pairs(draws, weights);
     ASSERT_EQ(pairs.size(), 1U);
     EXPECT_LT(pairs[0].correlation, -0.95);
-    EXPECT_TRUE(sentences(key_posteriors(keys, weights), pairs)
+    EXPECT_TRUE(sentences(key_posteriors(study.vary, draws, weights), pairs)
                     .front()
                     .text()
                     .starts_with("material.friction-coefficient, material.turbulence: correlation -0.9"));
 }
 
 TEST(Posterior, ChoicesHaveProbabilities) {
-    KeySample key{
-        "numerics.scheme", "",        std::get<Distribution>(distribution_from_text("choice(a: 0.5, b: 0.5)")),
-        {0.1, 0.7, 0.9},   {0, 1, 1}, {"a", "b", "b"}};
-    const KeyPosterior after = key_posteriors({key}, {0.25, 0.25, 0.5}).front();
+    StudySpec study;
+    study.vary.push_back(
+        {"numerics.scheme", std::get<Distribution>(distribution_from_text("choice(default: 0.5, paper: 0.5)"))});
+    const KeyPosterior after =
+        key_posteriors(study.vary, samples_of(study, {{0.1}, {0.7}, {0.9}}), {0.25, 0.25, 0.5}).front();
     ASSERT_EQ(after.values.size(), 2U);
-    EXPECT_EQ(after.values[0], (std::pair<std::string, double>{"a", 0.25}));
-    EXPECT_EQ(after.values[1], (std::pair<std::string, double>{"b", 0.75}));
+    EXPECT_EQ(after.values[0], (std::pair<std::string, double>{"default", 0.25}));
+    EXPECT_EQ(after.values[1], (std::pair<std::string, double>{"paper", 0.75}));
 }
 
 TEST(CalibratedPosterior, AnEndWithin2PercentOfTheDistributionsLimitIsTold) {
