@@ -177,8 +177,9 @@ function cellAt([x, y]) {
 
 /** A value with its error or interval; empty: no data. */
 async function valueText(one, cell) {
-  const value = (await cellsOf(one))[cell];
-  if (Number.isNaN(value)) return '';
+  const upper = one.upper ? (await cellsOf(one.upper))[cell] : NaN, drawn = (await cellsOf(one))[cell];
+  if (Number.isNaN(drawn) && !(upper > 0)) return '';
+  const value = Number.isNaN(drawn) ? 0 : drawn;  // zeros are not drawn
   if (one.exact) return one.classes.find(entry => entry.to === value)?.label || '';
   let text = steppedText(value, one.step);
   if (one.margin) text += ` ± ${numberText((await cellsOf(one.margin))[cell] || 0, 2)}`;
@@ -186,6 +187,7 @@ async function valueText(one, cell) {
     const [low, high] = [(await cellsOf(one.low))[cell], (await cellsOf(one.high))[cell]];
     text += ` (${Number.isNaN(low) ? '?' : steppedText(low, one.step)} – ${Number.isNaN(high) ? '?' : steppedText(high, one.step)})`;
   }
+  if (upper > value) text += ` (≤ ${steppedText(upper, one.step)})`;
   return one.unit ? `${text} ${one.unit}` : text;
 }
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
@@ -14,8 +13,6 @@
 #include "analysis/trace.h"
 #include "app/input/share_directory.h"
 #include "app/pictures/map_layer.h"
-#include "app/pictures/map_source.h"
-#include "app/pictures/result_reader.h"
 #include "app/store/result_files.h"
 #include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
@@ -31,8 +28,6 @@
 
 namespace frana::app {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double k_most_cells = 1e6;
 constexpr std::size_t k_most_bytes = 5'500'000;  // of packed cells: with texts and Leaflet below 6 MB
@@ -106,11 +101,7 @@ Json classes_json(const std::vector<gis::ColourStop>& stops) {
 
 class MapPage {
   public:
-    MapPage(const std::string& folder, const std::string& title, const RunResult* run) : result_(folder) {
-        if (run != nullptr) result_.take_values_of(*run);
-        source_ = result_.map_source();
-        source_.title = title;
-    }
+    MapPage(const ResultReader& result, const MapSource& source) : result_(result), source_(source) {}
 
     [[nodiscard]] std::string html() {
         for (const std::string& name : result_.drawable()) {
@@ -268,7 +259,7 @@ class MapPage {
                 if (const std::string name = layer["name"]; name.starts_with(shown)) return name;
         return layers.front()["name"];
     }
-    /// The margin of a chance, the interval of a value: further bands of its file.
+    /// The margin of a chance, the interval of a value, the bound that open runs leave: further bands of its file.
     void add_doubt(const std::string& name, double step, Json& json) {
         const std::string file = result_.path(raster_file(name));
         const int bands = gis::read_raster_text(file).bands;
@@ -276,13 +267,15 @@ class MapPage {
             if (const auto one = cells(shown(gis::read_result_raster(file, band)), step, json["title"]))
                 json[key] = *one;
         };
-        if (name.starts_with("probability_") || name.starts_with("annual_rate_")) {
-            if (bands > 1) add("margin", 2);
-        } else if (name.starts_with("max_depth_T") || name.starts_with("max_velocity_T")) {
-            if (bands > 2) {
-                add("low", 2);
-                add("high", 3);
-            }
+        const bool is_chance = name.starts_with("probability_") || name.starts_with("annual_rate_");
+        const bool has_interval =
+            name.starts_with("max_depth_T") || name.starts_with("max_velocity_T") || name.starts_with("return_period_");
+        if (is_chance && bands > 1) add("margin", 2);
+        if (is_chance && bands > 2) add("upper", 3);
+        if (name.starts_with("quantile_") && bands > 1) add("upper", 2);
+        if (has_interval && bands > 2) {
+            add("low", 2);
+            add("high", 3);
         }
     }
     [[nodiscard]] Json frames() {
@@ -404,9 +397,9 @@ class MapPage {
                leaflet("leaflet.min.js") + "</script>\n<script>\n" + web("map.js") + "</script>\n</body>\n</html>\n";
     }
 
-    ResultReader result_;
+    const ResultReader& result_;
+    const MapSource& source_;
     Words words_ = result_.words();
-    MapSource source_;
     CellWindow window_{0, 0, 0, 0};
     std::int64_t factor_ = 1;  ///< of the result's cells along the side of one that is shown
     GridSpec grid_;            ///< that is shown
@@ -416,9 +409,9 @@ class MapPage {
 
 }  // namespace
 
-void write_map_page(const std::string& folder, const std::string& title, const RunResult* run) {
-    const std::string html = MapPage(folder, title, run).html();
-    if (!html.empty()) write_text_file((fs::path(folder) / k_map_page_file).string(), html);
+void write_map_page(const ResultReader& result, const MapSource& source) {
+    const std::string html = MapPage(result, source).html();
+    if (!html.empty()) write_text_file(result.path(k_map_page_file), html);
 }
 
 }  // namespace frana::app

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
-
-#include "simulation/result.h"
+#include "app/pictures/map_source.h"
+#include "app/pictures/result_reader.h"
 
 namespace frana::app {
 
@@ -11,7 +10,6 @@ namespace frana::app {
 /// relief, rasters, outlines and frames, and tells the values at a place and along a line. Values are rounded to a
 /// hundredth of their least class; of more than a million cells round the flow, blocks have their greatest value. Pages
 /// have at most 6 MB: the last layers are left out, and named. Throws Error(environment) also without Leaflet.
-/// @param run whose values are in memory; null: read from the files
-void write_map_page(const std::string& folder, const std::string& title, const RunResult* run = nullptr);
+void write_map_page(const ResultReader& result, const MapSource& source);
 
 }  // namespace frana::app

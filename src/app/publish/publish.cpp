@@ -11,8 +11,6 @@
 #include "app/input/check_inputs.h"
 #include "app/input/on_demand.h"
 #include "app/input/prepare.h"
-#include "app/pictures/charts.h"
-#include "app/publish/map_page.h"
 #include "app/publish/publish_exposure.h"
 #include "app/publish/publish_hazard.h"
 #include "app/publish/publish_pictures.h"
@@ -302,14 +300,6 @@ constexpr std::pair<const char*, void (*)(Publication&)> k_writers[] = {
      [](Publication& p) {
          write_text_file(p.directory.path(k_summary_file), summary_json(p.result(), p.facts));
          p.log.note("wrote summary.json");
-     }},
-    {"map page",  // which says what the summary says
-     [](Publication& p) {
-         const SceneSpec& spec = p.prepared().spec;
-         if (spec.output.report)
-             is_drawn(k_map_page_file, p.log, [&] {
-                 write_map_page(p.directory.folder(), spec.output.title.value_or(scene_name(spec)), &p.result());
-             });
      }},
     {"QGIS project",  // whose sheets show what the summary says
      [](Publication& p) {

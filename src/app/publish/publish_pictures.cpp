@@ -9,6 +9,7 @@
 #include "app/pictures/map_source.h"
 #include "app/pictures/result_reader.h"
 #include "app/process/terminal.h"
+#include "app/publish/map_page.h"
 #include "app/store/frame_store.h"
 #include "app/store/own_files.h"
 #include "app/store/result_files.h"
@@ -155,14 +156,15 @@ bool draw_pictures(const PictureRequest& request, RunLog& log) {
     const OutputSpec& output = request.spec.output;
     Drawings drawings(log);
     const bool maps = output.maps.front() != "off";
-    if (!maps && !output.animation) return drawings.ended();
+    if (!maps && !output.animation && !output.report) return drawings.ended();
     drawings.guard("the pictures", [&] {
         ResultReader written(request.folder);
         if (request.run != nullptr) written.take_values_of(*request.run);
         const MapSource source = map_source(written, request);
+        if (output.report) drawings.guard(k_map_page_file, [&] { write_map_page(written, source); });
         LayerDrawer drawer(source);
         drawer.draw_at_next_scale([&](const Sentence& warning) { log.warn(warning); });
-        if (output.report) {
+        if (output.report && maps) {
             const std::string folder = written.path(k_page_folder);
             make_drawing_folder(folder);
             drawer.draw_for_page_too(folder);

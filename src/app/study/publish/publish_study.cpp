@@ -9,7 +9,6 @@
 
 #include "analysis/trace.h"
 #include "app/pictures/charts.h"
-#include "app/publish/map_page.h"
 #include "app/publish/publish_hazard.h"
 #include "app/publish/publish_project.h"
 #include "app/publish/report_comparison.h"
@@ -357,11 +356,8 @@ StudyOutcome publish_study(StudyInput& input, std::size_t members, std::size_t c
     write_text_file(directory.path(k_summary_file), study_summary_json(input, result, facts));
     if (!result.finished_at.empty()) {
         draw_study(input, result, figures, directory, log);
-        const std::string title =
-            input.base.spec.output.title.value_or(scene_name(input.base.spec)) + (is_region ? ", region" : ", study");
-        publish_project(directory.folder(), title);
-        if (input.base.spec.output.report)
-            is_drawn(k_map_page_file, log, [&] { write_map_page(directory.folder(), title); });
+        publish_project(directory.folder(), input.base.spec.output.title.value_or(scene_name(input.base.spec)) +
+                                                (is_region ? ", region" : ", study"));
     }
     facts.wall_seconds = since_start.seconds();
     facts.warnings += log.take_warnings();

@@ -16,6 +16,7 @@
 #include "app/pictures/map_layer.h"
 #include "app/pictures/map_source.h"
 #include "app/pictures/result_reader.h"
+#include "app/publish/map_page.h"
 #include "app/publish/publish_rasters.h"
 #include "app/store/own_files.h"
 #include "app/store/result_files.h"
@@ -335,11 +336,13 @@ void write_member(const StudyInput& input, std::size_t member, const MemberRecor
 void draw_study(const StudyInput& input, const StudyResult& result, const std::vector<FigureSensitivity>& figures,
                 const ResultDirectory& directory, RunLog& log) {
     const OutputSpec& output = input.base.spec.output;
-    if (output.maps.front() == "off") return;
+    if (output.maps.front() == "off" && !output.report) return;
     is_drawn("the pictures", log, [&] {
         const ResultReader written(directory.folder());
         MapSource source = written.map_source();
         source.title = output.title.value_or(scene_name(input.base.spec));  // the folder does not have its name yet
+        if (output.report) is_drawn(k_map_page_file, log, [&] { write_map_page(written, source); });
+        if (output.maps.front() == "off") return;
         LayerDrawer drawer(source);
         drawer.draw_at_next_scale([&](const Sentence& warning) { log.warn(warning); });
         if (output.report) {
