@@ -72,16 +72,16 @@ Ring release_rim() {
 
 Ring scar_outline() {
     // Northing, western and eastern edge at stations from the crown to the toe, as mapped from an orthophoto.
-    struct Station {
+    struct Width {
         double y, west, east;
     };
-    static const Station stations[] = {
+    static const Width stations[] = {
         {1112, 750, 777}, {1101, 729, 799}, {1083, 705, 818}, {1057, 689, 833}, {1031, 677, 838}, {1002, 664, 843},
         {974, 657, 848},  {947, 648, 846},  {918, 641, 845},  {889, 636, 847},  {861, 640, 841},  {832, 631, 834},
         {803, 627, 833},  {776, 622, 823},  {748, 618, 826},  {721, 622, 819},  {694, 617, 808},  {667, 624, 802},
         {641, 631, 789},  {617, 646, 778},  {598, 665, 757},  {586, 690, 731}};
     Ring outline;
-    for (const Station& station : stations) outline.push_back({station.west, station.y});
+    for (const Width& station : stations) outline.push_back({station.west, station.y});
     for (std::size_t i = std::size(stations); i-- > 0;) outline.push_back({stations[i].east, stations[i].y});
     return outline;
 }
@@ -91,11 +91,6 @@ namespace {
 constexpr double k_river_height = 478;  // where it enters in the west [m]
 constexpr double k_valley_edge = 60;    // gullies that begin here reach the valley and have fans
 constexpr double k_river_gradient = 0.013;
-
-/// A slope's steepness (rise over run) at a distance from the river; linear between stations.
-struct Station {
-    double distance, steepness;
-};
 
 // Flat by the river, a concave foot, steepest in the middle, gentler towards the shoulder: 28 degrees on average.
 constexpr std::array<Station, 11> k_north_side{{{0, 0.00},
@@ -115,21 +110,6 @@ constexpr std::array<Station, 6> k_south_side{
 /// Northing of the valley's middle; the river meanders about it.
 double valley_axis(double x) {
     return 272 + 58 * noise(x / 560, 0.5, 701) + 20 * noise(x / 230, 0.5, 709) + 0.035 * (x - 750);
-}
-
-/// Height above the river: the integral of the steepness, exact, segment by segment.
-template <std::size_t N>
-double rise(const std::array<Station, N>& stations, double distance) {
-    double height = 0;
-    for (std::size_t i = 0; i + 1 < N; ++i) {
-        const Station &a = stations[i], &b = stations[i + 1];
-        if (distance <= a.distance) return height;
-        const double end = std::min(distance, b.distance);
-        const double fraction = (end - a.distance) / (b.distance - a.distance);
-        const double steepness = a.steepness + fraction * (b.steepness - a.steepness);
-        height += 0.5 * (a.steepness + steepness) * (end - a.distance);
-    }
-    return height + std::max(0.0, distance - stations[N - 1].distance) * stations[N - 1].steepness;
 }
 
 /// A gully on the northern hillside: its path, depth, width, and its range of distances from the river.

@@ -36,15 +36,6 @@ struct Event {
 };
 constexpr Event k_events[] = {{"T30", 30, 45, 18}, {"T100", 100, 65, 24}, {"T300", 300, 90, 30}};
 
-void write_text(const std::string& path, const std::string& text) {
-    FileAside file(path);
-    std::ofstream stream(file.partial_path(), std::ios::binary);
-    stream << text;
-    stream.close();
-    if (!stream) throw Error(ErrorKind::environment, Problem{"cannot be written", path, "", "", "Check the folder"});
-    file.rename_into_place();
-}
-
 std::string rounded(double value, double parts) {
     return shortest_text(std::round(value * parts) / parts);
 }

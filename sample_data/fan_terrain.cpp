@@ -16,11 +16,6 @@ constexpr double k_mouth = 200;       // distance of the gullies' mouths from th
 constexpr double k_apex_height = 61;  // of the fan, above the floor [m]
 constexpr double k_fan_length = 360;
 
-/// Steepness (rise over run) at a distance; linear between stations.
-struct Station {
-    double distance, steepness;
-};
-
 // From the foot uphill.
 constexpr std::array<Station, 7> k_side{
     {{0, 0.03}, {40, 0.25}, {120, 0.45}, {350, 0.55}, {700, 0.64}, {1000, 0.70}, {1300, 0.70}}};
@@ -28,21 +23,6 @@ constexpr std::array<Station, 7> k_side{
 constexpr std::array<Station, 6> k_bed{{{0, 0.23}, {60, 0.42}, {150, 0.52}, {500, 0.64}, {800, 0.70}, {1100, 0.70}}};
 // From the fan's toe to its apex: 8 to 12 degrees.
 constexpr std::array<Station, 3> k_cone{{{0, 0.12}, {40, 0.14}, {k_fan_length, 0.21}}};
-
-/// The integral of the steepness, exact, segment by segment.
-template <std::size_t N>
-double rise(const std::array<Station, N>& stations, double distance) {
-    double height = 0;
-    for (std::size_t i = 0; i + 1 < N; ++i) {
-        const Station &a = stations[i], &b = stations[i + 1];
-        if (distance <= a.distance) return height;
-        const double end = std::min(distance, b.distance);
-        const double steepness =
-            a.steepness + (end - a.distance) / (b.distance - a.distance) * (b.steepness - a.steepness);
-        height += 0.5 * (a.steepness + steepness) * (end - a.distance);
-    }
-    return height + std::max(0.0, distance - stations[N - 1].distance) * stations[N - 1].steepness;
-}
 
 struct Gully {
     double mouth, lean_uphill, lean_on_fan;  ///< easting [m]; easting per metre uphill

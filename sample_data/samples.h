@@ -32,4 +32,7 @@ void write_fracture_sample(const std::string& folder);
 /// dtm.tif, and the valley's outline, lake.geojson. The folder must exist. Throws Error(environment).
 void write_reservoir_sample(const std::string& folder);
 
+/// Writes a text aside and renames it. Throws Error(environment).
+void write_text(const std::string& path, const std::string& text);
+
 }  // namespace frana::sample

@@ -15,6 +15,15 @@
 #include "gis/raster/raster_out.h"
 
 namespace frana::sample {
+void write_text(const std::string& path, const std::string& text) {
+    FileAside file(path);
+    std::ofstream stream(file.partial_path(), std::ios::binary);
+    stream << text;
+    stream.close();
+    if (!stream) throw Error(ErrorKind::environment, Problem{"cannot be written", path, "", "", "Check the folder"});
+    file.rename_into_place();
+}
+
 namespace {
 
 double tangent(double degrees) {
@@ -40,15 +49,6 @@ void write_ground(const std::string& path, std::int64_t columns, std::int64_t ro
                                      unit;
     gis::write_geotiff(path, raster,
                        {"dtm", "Ground of an experiment", "m", {{"ORIGIN", "Made by frana's sample generator"}}});
-}
-
-void write_text(const std::string& path, const std::string& text) {
-    FileAside file(path);
-    std::ofstream stream(file.partial_path(), std::ios::binary);
-    stream << text;
-    stream.close();
-    if (!stream) throw Error(ErrorKind::environment, Problem{"cannot be written", path, "", "", "Check the folder"});
-    file.rename_into_place();
 }
 
 void write_rectangle(const std::string& path, double west, double south, double east, double north) {

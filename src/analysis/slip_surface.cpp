@@ -172,15 +172,10 @@ bool visible_from_centroid(const MultiPolygon& outline) {
     return true;
 }
 
-SlipSurface::SlipSurface(const Raster& ground, const MultiPolygon& perimeter, std::optional<SlipShape> shape)
-    : above_membrane_(ground.grid), form_(ground.grid) {
-    const bool visible = visible_from_centroid(perimeter);
-    if (shape == SlipShape::ellipsoid && !visible) {
-        throw Error(ErrorKind::input,
-                    Problem{"no ellipsoid can be fitted to a perimeter that is not entirely visible from its centroid",
-                            "release.perimeter", "", "", "Choose the base level"});
-    }
-    shape_ = shape.value_or(visible ? SlipShape::ellipsoid : SlipShape::base_level);
+SlipSurface::SlipSurface(const Raster& ground, const MultiPolygon& perimeter)
+    : above_membrane_(ground.grid),
+      form_(ground.grid),
+      shape_(visible_from_centroid(perimeter) ? SlipShape::ellipsoid : SlipShape::base_level) {
     const Inside inside = cells_inside(ground.grid, perimeter);
     if (inside.cells.empty()) {
         throw Error(ErrorKind::input, Problem{"a perimeter is too small for the cells to fit a slip surface to it",

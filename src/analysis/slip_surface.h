@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
-
 #include "core/geometry.h"
 #include "core/raster.h"
 
@@ -28,10 +26,9 @@ enum class SlipShape {
 ///      to the perimeter; it needs no centre.
 class SlipSurface {
   public:
-    /// @param shape none: ellipsoid if the perimeter is star-shaped about its centroid, else base level
-    /// Throws Error(input) if the perimeter contains no cell's centre or is on ground without data, and if an ellipsoid
-    /// was requested but is not possible.
-    SlipSurface(const Raster& ground, const MultiPolygon& perimeter, std::optional<SlipShape> shape);
+    /// An ellipsoid if the perimeter is star-shaped about its centroid, else base level. Throws Error(input) if the
+    /// perimeter contains no cell's centre or is on ground without data.
+    SlipSurface(const Raster& ground, const MultiPolygon& perimeter);
 
     [[nodiscard]] SlipShape shape() const noexcept { return shape_; }
     /// Returns the vertical thickness above the surface for a greatest depth D [m]; 0 outside.
@@ -44,7 +41,7 @@ class SlipSurface {
   private:
     Raster above_membrane_;  ///< ground minus membrane [m]; 0 outside
     Raster form_;            ///< f
-    SlipShape shape_ = SlipShape::base_level;
+    SlipShape shape_;
 };
 
 /// Returns whether every point of an outline is visible from its centroid: one part, no holes, star-shaped.

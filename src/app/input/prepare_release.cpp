@@ -58,8 +58,8 @@ class FittedSurface {
     FittedSurface(const Raster& ground, const MultiPolygon& outline)
         : grid_(ground.grid),
           window_(window_round(ground, outline)),
-          surface_(ground.values.is_tiled() ? SlipSurface(part_of(ground, window_), outline, {})
-                                            : SlipSurface(ground, outline, {})) {}
+          surface_(ground.values.is_tiled() ? SlipSurface(part_of(ground, window_), outline)
+                                            : SlipSurface(ground, outline)) {}
 
     [[nodiscard]] const SlipSurface& surface() const noexcept { return surface_; }
     /// On the cells of the whole ground.

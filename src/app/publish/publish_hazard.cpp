@@ -90,7 +90,9 @@ std::vector<gis::Zone> generalised_zones(const Raster& classes, const ClassMap& 
     }
     // Steps of cells along a slanting edge go.
     const double tolerance = classes.grid.cell_size / std::numbers::sqrt2;
-    const auto zones = gis::generalised(at_least, {map.scheme.least_area, map.scheme.least_width, tolerance});
+    auto zones = gis::generalised(at_least, {map.scheme.least_area, map.scheme.least_width, tolerance});
+    if (zones.empty())  // as the cells have them
+        for (const HazardClass& kind : map.classes) zones.push_back(gis::polygonise(mask_of(classes, kind.value)));
     std::vector<gis::Zone> all;
     for (std::size_t k = 0; k < zones.size(); ++k) {
         const HazardClass& kind = map.classes[k];
