@@ -106,7 +106,7 @@ class MapPage {
     [[nodiscard]] std::string html() {
         for (const std::string& name : result_.drawable()) {
             const MapLayer layer = result_.map_layer(name);
-            if (layer.values.values.is_tiled() || !layer.values.grid.same_cells(result_.grid())) continue;
+            if (!layer.values.grid.same_cells(result_.grid())) continue;
             if (!layer.is_ground) include(layer.values);
         }
         if (window_.rows <= 0) return {};
@@ -184,7 +184,7 @@ class MapPage {
     [[nodiscard]] Json ground() {
         if (!result_.has(raster_file(RasterName::dtm))) return {};
         const Raster terrain = result_.raster(RasterName::dtm);
-        if (terrain.values.is_tiled() || !terrain.grid.same_cells(result_.grid())) return {};
+        if (!terrain.grid.same_cells(result_.grid())) return {};
         std::optional<Json> json = cells(shown(terrain), k_ground_step, words_("Elevation"));
         if (json) (*json)["title"] = words_("Elevation");
         return json ? *json : Json();
@@ -233,7 +233,7 @@ class MapPage {
         Json all = Json::array();
         for (const std::string& name : result_.drawable()) {
             const MapLayer layer = result_.map_layer(name);
-            if (layer.values.values.is_tiled() || !layer.values.grid.same_cells(result_.grid())) continue;
+            if (!layer.values.grid.same_cells(result_.grid())) continue;
             Json json = look(layer);
             const double step = step_of(layer);
             const auto packed_cells = cells(shown(layer.values, layer.palette == "time"), step, layer.title);

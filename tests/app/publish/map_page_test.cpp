@@ -188,6 +188,43 @@ TEST_F(MapPage, DrawsALineAndPlaysOnAPhone) {
     EXPECT_TRUE(page["legend"].get<std::string>().starts_with("Maximum velocity"));
 }
 
+// More than a million cells round the release: blocks of two, of which each has its greatest value, as the page says.
+TEST_F(MapPage, ShowsTheGreatestValueOfBlocksOfALargeMap) {
+    write_dtm();
+    write_polygon("perimeter", {{10, 10}, {290, 10}, {290, 140}, {10, 140}});
+    write_scene(k_numbers_only + "[terrain]\ncell-size = 0.2\n[numerics]\nscheme = finite-volume\n");
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=0.02"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json page = seen(
+        "const values = await cellsOf(data.layers.find(one => one.name === 'max_depth')); seen = {grid, notes: "
+        "document.querySelector('aside').textContent, values: []};\n"
+        "for (let cell = 0; cell < count; cell += 997) seen.values.push([cell, Number.isNaN(values[cell]) ? null : "
+        "values[cell]]);");
+    const Raster depth = gis::read_result_raster(path("result/max_depth.tif"));
+    const double side = page["grid"]["cell"], west = page["grid"]["west"], south = page["grid"]["south"];
+    const std::int64_t columns = page["grid"]["columns"], rows = page["grid"]["rows"];
+    ASSERT_NEAR(side, 2 * depth.grid.cell_size, 1e-9);
+    EXPECT_LE(columns * rows, 1'100'000);
+    EXPECT_NE(page["notes"].get<std::string>().find("Cells of 0.4 m"), std::string::npos);
+    const double north = south + side * static_cast<double>(rows);
+    const auto row0 = std::llround((depth.grid.north - north) / depth.grid.cell_size),
+               column0 = std::llround((west - depth.grid.west) / depth.grid.cell_size);
+    int compared = 0;
+    for (const Json& one : page["values"]) {
+        const std::int64_t cell = one[0];
+        double greatest = k_no_data;
+        for (std::int64_t r = row0 + 2 * (cell / columns); r < row0 + 2 * (cell / columns) + 2; ++r)
+            for (std::int64_t c = column0 + 2 * (cell % columns); c < column0 + 2 * (cell % columns) + 2; ++c)
+                if (r < depth.grid.rows && c < depth.grid.columns) greatest = std::fmax(greatest, depth.at(r, c));
+        ASSERT_EQ(one[1].is_null(), std::isnan(greatest)) << cell;
+        if (one[1].is_null()) continue;
+        ASSERT_NEAR(one[1].get<double>(), greatest, 0.001001) << cell;
+        ++compared;
+    }
+    EXPECT_GT(compared, 100);
+    EXPECT_LT(fs::file_size(path("result/map.html")), 6'000'000U);
+}
+
 TEST_F(MapPage, ShowsHostileNamesAsText) {
     const std::string name = "</script><img src=x onerror=alert(1)>\\\"'";
     run("title = " + name + "\nlanguage = de");
