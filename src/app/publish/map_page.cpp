@@ -67,22 +67,6 @@ std::string packed(const Raster& raster, double step) {
     return base64({bytes.data(), size});
 }
 
-/// A raster with one value for blocks of factor x factor cells: the greatest, or the least.
-Raster blocks_of(const Raster& raster, std::int64_t factor, bool least) {
-    if (factor == 1) return raster;
-    GridSpec grid = raster.grid;
-    grid.columns = (grid.columns + factor - 1) / factor;
-    grid.rows = (grid.rows + factor - 1) / factor;
-    grid.cell_size *= static_cast<double>(factor);
-    Raster coarse(grid, k_no_data);
-    for (std::int64_t row = 0; row < raster.grid.rows; ++row)
-        for (std::int64_t column = 0; column < raster.grid.columns; ++column) {
-            double& block = coarse.at(row / factor, column / factor);
-            block = least ? std::fmin(block, raster.at(row, column)) : std::fmax(block, raster.at(row, column));
-        }
-    return coarse;
-}
-
 Json points_json(const std::vector<Point>& points, const GridSpec& grid) {
     Json json = Json::array();
     const auto rounded = [](double metres) { return std::round(10 * metres) / 10; };
@@ -166,10 +150,23 @@ class MapPage {
                    std::min(all.columns, window_.column + window_.columns + margin) - column};
         const auto cells = static_cast<double>(window_.rows) * static_cast<double>(window_.columns);
         factor_ = static_cast<std::int64_t>(std::ceil(std::sqrt(std::max(1.0, cells / k_most_cells))));
-        grid_ = blocks_of(Raster(part_of(all, window_)), factor_, false).grid;
+        grid_ = part_of(all, window_);
+        grid_.columns = (grid_.columns + factor_ - 1) / factor_;
+        grid_.rows = (grid_.rows + factor_ - 1) / factor_;
+        grid_.cell_size *= static_cast<double>(factor_);
     }
+    /// The window's blocks of cells, each with its greatest value, or the least. Of a large map only the cells that it
+    /// stores are visited.
     [[nodiscard]] Raster shown(const Raster& raster, bool least = false) const {
-        return blocks_of(part_of(raster, window_), factor_, least);
+        Raster blocks(grid_, k_no_data);
+        raster.values.for_each_stored([&](std::size_t cell, double value) {
+            const auto row = static_cast<std::int64_t>(cell) / raster.grid.columns - window_.row;
+            const auto column = static_cast<std::int64_t>(cell) % raster.grid.columns - window_.column;
+            if (row < 0 || column < 0 || row >= window_.rows || column >= window_.columns) return;
+            double& block = blocks.at(row / factor_, column / factor_);
+            block = least ? std::fmin(block, value) : std::fmax(block, value);
+        });
+        return blocks;
     }
     /// The cells of a raster with their step; nothing where the page has no room, which `what` tells.
     [[nodiscard]] std::optional<Json> cells(const Raster& raster, double step, const std::string& what) {
