@@ -126,6 +126,21 @@ TEST_F(Frequency, DamageOfAPileAtRestIsThatOfItsHazardCurve) {
     EXPECT_NEAR(sum["value"].get<double>(), number(0, "annual_damage") + number(1, "annual_damage"), 1e-9);
     EXPECT_LE(sum["low"].get<double>(), sum["value"].get<double>());
     EXPECT_LE(sum["high"].get<double>(), number(0, "annual_damage_high") + number(1, "annual_damage_high") + 1e-9);
+    // Without a frequency it is that of an event: the probability times the value, with its band.
+    write("plain.ini",
+          "[study]\nscene = scene.ini\nsamples = 32\n[set]\nmaterial.friction-angle = 45\ntime.end = 1\n[vary]\n"
+          "release.volume = uniform(2000, 8000)\n");
+    ASSERT_EQ(frana({"ensemble", "plain.ini", "--out", "plain", "--quiet"}).exit_code, 0);
+    const gis::Table event = gis::read_table(path("plain/exposure.csv"), "exposure");
+    const auto of_event = [&](const std::string& name) {
+        const auto column = std::find(event.columns.begin(), event.columns.end(), name) - event.columns.begin();
+        return std::stod(event.rows[0].at(static_cast<std::size_t>(column)));
+    };
+    const double chance = of_event("probability_depth_2");
+    EXPECT_NEAR(chance, 2.0 / 3, 0.1);
+    EXPECT_NEAR(of_event("expected_damage") / (1000 * chance), 1, 1e-6);
+    EXPECT_LT(of_event("expected_damage_low"), 1000 * chance);
+    EXPECT_GT(of_event("expected_damage_high"), 1000 * chance);
     // One over the rate, and its bands turned round.
     const std::vector<double> rates = band("out/annual_rate_depth_2", 1), margins = band("out/annual_rate_depth_2", 2),
                               periods = band("out/return_period_depth_2", 1),
