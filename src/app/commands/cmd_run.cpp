@@ -58,7 +58,7 @@ CommandForm run_form() {
 
 namespace {
 
-ExitCode exit_code(const RunResult& result) {
+ExitCode exit_code(const RunResult& result, const PictureOutcome& pictures) {
     switch (result.stop_reason) {
         // The map ends at the edge of the terrain: a script must not treat it as complete.
         case StopReason::reached_no_data:
@@ -67,7 +67,7 @@ ExitCode exit_code(const RunResult& result) {
         case StopReason::volume_drift:
             return ExitCode::numerical;
         default:
-            return ExitCode::done;
+            return pictures.has_failed ? ExitCode::environment : ExitCode::done;
     }
 }
 
@@ -240,21 +240,21 @@ int run_into(const RunInput& input, CheckpointFile* from, ResultDirectory& direc
     log_dry_gauges(result, prepared.scene, log);
 
     const std::optional<AccuracyRecord> accuracy = completed_record(input.accuracy, prepared, result);
-    const bool all_drawn = publish({prepared, result, input.threads, input.input_seconds, input.earlier_seconds,
-                                    input.since_start, accuracy ? &*accuracy : nullptr},
-                                   directory, frames, log);
-    const bool stopped = result.stop_reason == StopReason::requested, signalled = stopped || !all_drawn;
+    const PictureOutcome pictures = publish({prepared, result, input.threads, input.input_seconds,
+                                             input.earlier_seconds, input.since_start, accuracy ? &*accuracy : nullptr},
+                                            directory, frames, log);
+    // An exit code other than 0 keeps everything that --resume needs to complete the run.
+    const bool stopped = result.stop_reason == StopReason::requested || pictures.was_stopped;
     const int code =
-        signalled ? static_cast<int>(ExitCode::signal) + stop_signal() : static_cast<int>(exit_code(result));
-    // Else everything stays that --resume needs to complete the run.
-    const bool finished = !stopped && exit_code(result) == ExitCode::done;
+        stopped ? static_cast<int>(ExitCode::signal) + stop_signal() : static_cast<int>(exit_code(result, pictures));
+    const bool finished = code == static_cast<int>(ExitCode::done);
     directory.publish({provenance(prepared).at("SCENE_HASH"), result.simulated_seconds, finished}, log);
     if (finished) remove_working_files(directory.target(), !prepared.spec.output.frames, log);
     // The estimate of a study applies to the scene's own cells.
     if (const auto estimate = read_error_estimate(directory.target(), prepared.spec); estimate && !input.accuracy)
         log.info("error estimate of `frana converge`:\n" + *estimate);
     log.info("result in " + directory.target());
-    if (code != static_cast<int>(ExitCode::done) && !signalled) log.print_deferred_warnings();
+    if (code != static_cast<int>(ExitCode::done) && !stopped) log.print_deferred_warnings();
     const bool refused = finished && input.strict && is_open(result, input.prepared.scene);
     if (refused) log.print_deferred_warnings();
     return refused ? static_cast<int>(ExitCode::numerical) : code;

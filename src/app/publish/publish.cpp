@@ -217,7 +217,7 @@ struct Publication {
     SummaryFacts facts;
     SeparateFlows flows;
     std::optional<Comparison> comparison{};
-    bool all_drawn = true;  ///< but those that failed
+    PictureOutcome pictures{};
     Stopwatch watch{};
 
     [[nodiscard]] const Prepared& prepared() const { return run.prepared; }
@@ -254,9 +254,9 @@ SummaryFacts facts_of(const Finished& run) {
 
 void write_pictures(Publication& p) {
     p.facts.wall.output = p.watch.seconds() + p.frames.seconds();
-    p.all_drawn = draw_pictures({p.prepared().spec, p.directory.path(""), p.comparison, p.facts.statistics,
-                                 p.facts.date, limits_of_use(p.result().warnings), &p.result()},
-                                p.log);
+    p.pictures = draw_pictures({p.prepared().spec, p.directory.path(""), p.comparison, p.facts.statistics, p.facts.date,
+                                limits_of_use(p.result().warnings), &p.result()},
+                               p.log);
     p.facts.wall.render = p.watch.seconds() + p.frames.seconds() - p.facts.wall.output;
 }
 
@@ -309,17 +309,18 @@ constexpr std::pair<const char*, void (*)(Publication&)> k_writers[] = {
     {"log", [](Publication& p) { write_text_file(p.directory.path(k_log_file), p.log.text()); }}};
 
 /// Writes a result on the cells that its rasters have.
-bool publish_all(const Finished& run, const ResultDirectory& directory, const FrameWriter& frames, RunLog& log) {
+PictureOutcome publish_all(const Finished& run, const ResultDirectory& directory, const FrameWriter& frames,
+                           RunLog& log) {
     log_result(run, log);
     Publication all{run, directory, frames, log, facts_of(run), separate_flows(run.result)};
     note_flows(all.facts.statistics.run_outs, log);
     for (const auto& [what, write] : k_writers) write(all);
-    return all.all_drawn;
+    return all.pictures;
 }
 
 }  // namespace
 
-bool publish(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log) {
+PictureOutcome publish(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log) {
     if (frames.count() > 0) frames.finish();
     const std::optional<CellWindow> window = reached_window(run.prepared, run.result);
     if (!window) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/input/prepare.h"
+#include "app/publish/publish_pictures.h"
 #include "app/publish/summary.h"
 #include "app/store/frame_store.h"
 #include "app/store/result_directory.h"
@@ -22,8 +23,8 @@ struct Finished {
 
 /// Writes the files of a result: rasters with styles, outlines, maps, animation, comparison, series, summary, scene,
 /// log; the summary and the log last, as they describe all the others. A map or animation that cannot be drawn does not
-/// fail the run: it is a warning. Returns false if a signal left pictures out. Throws Error(environment) if a file
-/// cannot be written.
-bool publish(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log);
+/// fail the run: it is a warning, and the return value reports it. Throws Error(environment) if a file cannot be
+/// written.
+PictureOutcome publish(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log);
 
 }  // namespace frana::app

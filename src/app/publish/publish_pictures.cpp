@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <new>
 
 #include "app/pictures/animation.h"
 #include "app/pictures/charts.h"
@@ -55,26 +56,28 @@ class Drawings {
                 left_out_.push_back(what);
         });
     }
-    /// Whatever drawing throws is a warning.
+    /// Whatever drawing throws is a warning. Memory and disk may be there for --resume; no other failure goes away.
     template <class Work>
     void guard(const std::string& what, const Work& work) {
         try {
             work();
         } catch (const std::exception& error) {
             log_.warn(worded("{1} could not be drawn: {2}", {what, std::string(error.what())}));
+            const auto* const known = dynamic_cast<const Error*>(&error);
+            has_failed_ = has_failed_ || dynamic_cast<const std::bad_alloc*>(&error) != nullptr ||
+                          (known != nullptr && known->kind() == ErrorKind::environment);
         }
     }
-    /// Whether no signal stopped it.
-    [[nodiscard]] bool ended() const {
+    [[nodiscard]] PictureOutcome outcome() const {
         if (!left_out_.empty())
-            log_.warn(
-                worded("left out because of the signal: {1}; `frana render` draws them", {joined(left_out_, ", ")}));
-        return left_out_.empty();
+            log_.warn(worded("left out because of the signal: {1}; --resume draws them", {joined(left_out_, ", ")}));
+        return {has_failed_, !left_out_.empty()};
     }
 
   private:
     RunLog& log_;
     std::vector<std::string> left_out_;
+    bool has_failed_ = false;
 };
 
 /// Returns "max_depth", "max_depth_3d" and so on, as requested by the scene.
@@ -152,11 +155,11 @@ std::int64_t drawing_library_bytes(const SceneSpec& scene) {
     return (draws(scene) ? k_vtk_bytes : 0) + (scene.output.animation ? k_libav_bytes : 0);
 }
 
-bool draw_pictures(const PictureRequest& request, RunLog& log) {
+PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log) {
     const OutputSpec& output = request.spec.output;
     Drawings drawings(log);
     const bool maps = output.maps.front() != "off";
-    if (!maps && !output.animation && !output.report) return drawings.ended();
+    if (!maps && !output.animation && !output.report) return drawings.outcome();
     drawings.guard("the pictures", [&] {
         ResultReader written(request.folder);
         if (request.run != nullptr) written.take_values_of(*request.run);
@@ -180,7 +183,7 @@ bool draw_pictures(const PictureRequest& request, RunLog& log) {
         if (output.animation) draw_animation(written, source, drawings);
         if (const auto warning = letter_warning()) log.warn(*warning);
     });
-    return drawings.ended();
+    return drawings.outcome();
 }
 
 }  // namespace frana::app

@@ -24,6 +24,12 @@ struct PictureRequest {
     const RunResult* run = nullptr;            ///< whose rasters are drawn; null: those of the files
 };
 
+/// What drawing left for --resume.
+struct PictureOutcome {
+    bool has_failed = false;   ///< a picture, for a reason that may pass
+    bool was_stopped = false;  ///< by a signal, before all were drawn
+};
+
 /// Loads what the pictures and the particles of a run are drawn and written with: it is better missed before the run
 /// than after it. Throws Error(environment) if it is missing.
 enum class Loading { now, later };  ///< later: only looks whether they are there, as `frana check` does
@@ -33,7 +39,7 @@ void load_drawing(bool pictures, bool films, Loading loading);
 std::int64_t drawing_library_bytes(const SceneSpec& scene);
 
 /// Draws them; any exception is a warning, since the numbers are more important than a picture. Pictures not begun when
-/// a stop signal arrives are left out, so that the program ends soon; then returns false.
-bool draw_pictures(const PictureRequest& request, RunLog& log);
+/// a stop signal arrives are left out, so that the program ends soon.
+PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log);
 
 }  // namespace frana::app

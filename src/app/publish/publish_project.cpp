@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "app/pictures/map_layer.h"
 #include "app/pictures/map_source.h"
@@ -13,6 +11,8 @@
 #include "app/store/result_files.h"
 #include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
+#include "app/text/text_file.h"
+#include "core/error.h"
 #include "gis/raster/qgis_project.h"
 #include "gis/raster/raster_out.h"
 #include "gis/raster/styles.h"
@@ -28,11 +28,6 @@ namespace fs = std::filesystem;
 
 constexpr double k_millisecond = 1e-3;              // the step of QGIS's times, whose ranges contain their ends
 const char* const k_shown = RasterName::max_depth;  // the map that is visible at first; of a study the first map
-
-std::string text_of_file(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// The rasters that frames have.
 std::vector<const ResultRaster*> frame_rasters(const ResultReader& result) {
@@ -221,7 +216,11 @@ class ProjectWriter {
     }
 
     [[nodiscard]] std::string style_beside(const std::string& file) const {
-        return text_of_file(fs::path(result_.path(file)).replace_extension(".qml").string());
+        const std::string path = fs::path(result_.path(file)).replace_extension(".qml").string();
+        std::string style = read_text_file(path);
+        if (style.empty() && fs::exists(path))  // else QGIS would show the layer in grey
+            throw Error(ErrorKind::environment, Problem{"the style cannot be read", path, "", "", "Check the rights"});
+        return style;
     }
 
     ResultReader result_;
