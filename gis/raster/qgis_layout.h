@@ -17,24 +17,28 @@ struct ProjectLayout {
     Bounds window;                    ///< ground in the frame
     std::vector<std::string> layers;  ///< titles of the project's layers that it shows, the uppermost first
     std::vector<std::string> legend;  ///< what the legend calls each; empty: not in it
-    std::string notes;                ///< values, in lines
-    std::string title_block;          ///< author, date, in lines
-    std::string logo{};               ///< file of a picture
-    std::string sources;              ///< at the foot
+    std::vector<std::vector<std::string>> classes{};  ///< of each, as legend_labels() returns them
+    std::string notes;                                ///< values, in lines
+    std::string title_block;                          ///< author, date, in lines
+    std::string logo{};                               ///< file of a picture
+    std::string sources;                              ///< at the foot
+    std::string thousands{" "};                       ///< sign between groups of three digits of the map's scale
 };
 
-/// Returns width and height of the map's frame [mm]; a long subtitle leaves it less.
-[[nodiscard]] Point frame_of(const ProjectLayout& layout);
+/// Returns the labels of the classes of a layer's style, a QML document.
+[[nodiscard]] std::vector<std::string> legend_labels(const std::string& qml);
+
+/// Returns width and height of the map's frame [mm], the same on all these sheets of one paper: what the longest
+/// texts and the longest legend leave.
+[[nodiscard]] Point frame_of(const std::vector<ProjectLayout>& sheets);
 
 /// A layer as the file of a project names it.
 struct LayerReference {
     std::string id, title, source, provider;
-    std::vector<std::string> classes{};  ///< labels of a raster's colours, as its style has them
 };
 
-/// Returns the element of a layout. `crs`: the element of the project's CRS; `number`: of the layout, from 1; `layers`:
-/// those of layout.layers.
-[[nodiscard]] std::string layout_element(const ProjectLayout& layout, const std::vector<LayerReference>& layers,
-                                         const std::string& crs, int number);
+/// Returns the element of one of the sheets. `crs`: the element of the project's CRS; `layers`: those of its layers.
+[[nodiscard]] std::string layout_element(const std::vector<ProjectLayout>& sheets, std::size_t index,
+                                         const std::vector<LayerReference>& layers, const std::string& crs);
 
 }  // namespace frana::gis

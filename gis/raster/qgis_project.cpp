@@ -45,16 +45,6 @@ std::string style_content(const std::string& qml) {
     return qml.substr(begin + 1, end - begin - 1);
 }
 
-/// The labels of the classes of a raster's style, as they are in it.
-std::vector<std::string> labels_of(const std::string& qml) {
-    std::vector<std::string> labels;
-    for (std::size_t at = qml.find("<item "); at != std::string::npos; at = qml.find("<item ", at + 1)) {
-        const std::size_t begin = qml.find("label=\"", at) + 7;
-        labels.push_back(qml.substr(begin, qml.find('"', begin) - begin));
-    }
-    return labels;
-}
-
 std::string extent_element(const Bounds& box) {
     return "<extent>" + element("xmin", shortest_text(box.west)) + element("ymin", shortest_text(box.south)) +
            element("xmax", shortest_text(box.east)) + element("ymax", shortest_text(box.north)) + "</extent>";
@@ -68,11 +58,10 @@ class Document {
   public:
     explicit Document(const QgisProject& project) : project_(project), crs_(crs_element(project.crs_wkt)) {
         for (const ProjectGroup& group : project.groups) add(group);
-        int number = 0;
-        for (const ProjectLayout& layout : project.layouts) {
+        for (std::size_t i = 0; i < project.layouts.size(); ++i) {
             std::vector<LayerReference> shown;
-            for (const std::string& title : layout.layers) shown.push_back(references_.at(title));
-            layouts_ += layout_element(layout, shown, crs_, ++number);
+            for (const std::string& title : project.layouts[i].layers) shown.push_back(references_.at(title));
+            layouts_ += layout_element(project.layouts, i, shown, crs_);
         }
     }
 
@@ -107,8 +96,7 @@ class Document {
                      (layer.layer.empty() ? "gdal" : "ogr") + "\" checked=\"" + state(layer.visible) +
                      "\" expanded=\"" + (layer.visible && layer.layer.empty() ? "1" : "0") + "\"/>\n";
             add(layer, id, source);
-            references_[layer.title] = {id, layer.title, source, layer.layer.empty() ? "gdal" : "ogr",
-                                        labels_of(layer.style)};
+            references_[layer.title] = {id, layer.title, source, layer.layer.empty() ? "gdal" : "ogr"};
         }
         tree_ += "    </layer-tree-group>\n";
     }

@@ -2,7 +2,7 @@
 """Opens result.qgz as a user does, in a copy of the result in another place: open_project.py RESULT NAME...
 
 A NAME is "project" (every layer is valid, in order, styled, frames with their times) or "outlines" (layers of extent.gpkg
-opened alone take their styles from the file). Writes NAME.png into RESULT, to look at, and NAME.verdict."""
+opened alone take their styles from the file) or "sheets" (those of RESULT_it and the like hold their texts). Writes NAME.png into RESULT, to look at, and NAME.verdict."""
 import find_qgis  # noqa: F401
 from judge import judge_each
 import csv
@@ -13,7 +13,7 @@ import sys
 import tempfile
 
 from qgis.PyQt.QtCore import QPointF, QRectF, QSize, Qt
-from qgis.PyQt.QtGui import QColor, QImage, QPainter
+from qgis.PyQt.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter
 from qgis.core import (QgsApplication, QgsDateTimeRange, QgsLayoutExporter, QgsLayoutItem, QgsLayoutItemLabel,
                        QgsLayoutItemLegend, QgsLayoutItemMap, QgsLayoutItemPage, QgsLayoutItemPicture, QgsLayoutItemScaleBar,
                        QgsMapRendererCustomPainterJob, QgsMapSettings, QgsProject, QgsRasterLayer, QgsUnitTypes,
@@ -89,6 +89,31 @@ def check_relief(layer, picture):
         assert sum(grey > 252 for grey in greys) < 0.01 * len(greys), (parts, max(greys))
 
 
+def check_texts(layout):
+    """No text of a sheet is cut, and none lies on another part."""
+    pixels = 20  # of a point
+    per_mm = pixels / 0.3528
+    items = [item for item in layout.items() if isinstance(item, QgsLayoutItem) and not
+             isinstance(item, QgsLayoutItemPage)]
+    for item in items:
+        if isinstance(item, QgsLayoutItemLegend):
+            item.adjustBoxSize()
+        if not isinstance(item, QgsLayoutItemLabel):
+            continue
+        font = QFont(item.font())
+        font.setPixelSize(round(item.font().pointSizeF() * pixels))
+        room = item.rect()
+        needed = QFontMetricsF(font).boundingRect(QRectF(0, 0, room.width() * per_mm, 1e9), int(Qt.TextWordWrap),
+                                                  item.currentText())
+        assert needed.height() / per_mm <= room.height() + 0.1 and needed.width() / per_mm <= room.width() + 0.1, (
+            layout.name(), item.currentText(), needed.height() / per_mm, room)
+        assert needed.height() / per_mm > room.height() / 4 or room.height() < 30, (layout.name(), item.currentText())
+    places = [(item, item.mapRectToScene(item.rect()).adjusted(0.05, 0.05, -0.05, -0.05)) for item in items]
+    for i, (item, place) in enumerate(places):
+        for other, room in places[i + 1:]:
+            assert not place.intersects(room), (layout.name(), item.displayName(), other.displayName(), place, room)
+
+
 def check_layouts(project, folder, picture):
     """A sheet for each map, with all its parts inside the page, which QGIS exports as it is."""
     maps = [node.layer() for node in project.layerTreeRoot().children()[1].findLayers()
@@ -110,11 +135,7 @@ def check_layouts(project, folder, picture):
         legend = next(item for item in items if isinstance(item, QgsLayoutItemLegend))
         shown = [node.layer() for node in legend.model().rootGroup().findLayers()]
         assert layer in shown and len(shown) > 2, [one.name() for one in shown]
-        legend.adjustBoxSize()
-        place = legend.mapRectToScene(legend.rect())
-        covered = [item.displayName() for item in items if item is not legend and
-                   place.intersects(item.mapRectToScene(item.rect()))]
-        assert not covered, (layout.name(), covered)
+        check_texts(layout)
         for item in items:
             assert page.adjusted(-0.1, -0.1, 0.1, 0.1).contains(item.mapRectToScene(item.rect())), (layout.name(), item)
         texts = " ".join(item.currentText() for item in items if isinstance(item, QgsLayoutItemLabel))
@@ -124,7 +145,7 @@ def check_layouts(project, folder, picture):
         if os.path.basename(layer.source()) in ("mu.tif", "xi.tif"):
             assert "Friction table: RAMMS Avalanche" in texts and "Source: SLF" in texts, texts
         scale = round(1000 * sheet.extent().width() / sheet.rect().width())
-        assert "1 : " + f"{scale:,}" in texts, (scale, texts)
+        assert "1 : " + f"{scale:,}".replace(",", " ") in texts, (scale, texts)
     pictures = QgsLayoutExporter.ImageExportSettings()
     pictures.dpi = 150
     exporter = QgsLayoutExporter(layouts[[layer.source().endswith("max_depth.tif") for layer in maps].index(True)])
@@ -212,10 +233,31 @@ def check_moved(result, name):
         shutil.rmtree(elsewhere, ignore_errors=True)
 
 
+def check_sheets(result, _name):
+    scales = set()
+    for language in ("en", "it", "de", "fr", "es"):
+        project = QgsProject.instance()
+        assert project.read(result + "_" + language + "/result.qgz"), project.error()
+        layouts = project.layoutManager().printLayouts()
+        assert len(layouts) > 5, language
+        for layout in layouts:
+            check_texts(layout)
+        texts = [item.currentText() for item in layouts[0].items() if isinstance(item, QgsLayoutItemLabel)]
+        assert any("order number 2025/1234" in text for text in texts), texts
+        assert any("passed on to a third party" in text for text in texts), texts
+        scales.add(next(text for text in texts if text.startswith("1 : ")))
+        frame = layouts[0].itemById("map").rect()
+        page = layouts[0].pageCollection().page(0).rect()
+        assert frame.width() * frame.height() > 0.3 * page.width() * page.height(), (language, frame, page)
+        QgsLayoutExporter(layouts[0]).exportToPdf(result + "_" + language + "/sheet.pdf",
+                                                  QgsLayoutExporter.PdfExportSettings())
+    assert len({scale[-4:-3] for scale in scales}) == 3, scales  # a dot, a space and a narrow one
+
+
 def main(result, *names):
     application = QgsApplication([], False)
     application.initQgis()
-    judge_each(result, names, check_moved)
+    judge_each(result, names, lambda folder, name: (check_sheets if name == "sheets" else check_moved)(folder, name))
 
 
 if __name__ == "__main__":

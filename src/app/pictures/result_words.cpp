@@ -51,7 +51,7 @@ void ResultReader::add_study(MapSource& source) const {
         const bool per_polygon = value_in<std::string>(*summary, "/sampling") == "per-polygon";
         if (finished)
             source.subtitle =
-                words_(per_polygon ? worded("sources: {1}") : worded("runs: {1}"), {std::to_string(*finished)});
+                words_.labelled(words_(per_polygon ? worded("Slopes") : worded("Runs")), std::to_string(*finished));
         // A probability of values that somebody chose, and of a failure that is taken for granted: no hazard by itself.
         if (const std::string keys = varied_keys(*summary, words_); finished && !keys.empty()) {
             const auto rate = value_in<double>(*summary, "/frequency/rate_per_year");

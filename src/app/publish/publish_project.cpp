@@ -133,39 +133,60 @@ class ProjectWriter {
         gis::ProjectLayout sheet;
         sheet.sheet = source_.style.size.paper.starts_with("A3") ? "A3" : "A4";
         sheet.subtitle = scenario_line(source_);
-        const auto [across, across_scale] = window_on(sheet, content);
-        sheet.portrait = true;
-        const auto [upright, upright_scale] = window_on(sheet, content);
-        sheet.portrait = std::pair(upright_scale, shown.width()) < std::pair(across_scale, shown.height());
-        sheet.window = sheet.portrait ? upright : across;
         sheet.notes = joined(source_.notes, "\n") + '\n' + source_.crs_label;
         sheet.title_block = joined(block_lines(source_.style), "\n");
         sheet.logo = source_.style.logo;
         sheet.sources = map_sources(source_);
-        const std::string of_run = named("");
+        sheet.thousands = row_of(words_.language()).thousands;
+        std::vector<gis::ProjectLayout> sheets;
         for (const gis::ProjectLayer& map : rasters.layers) {
             if (!map.layer.empty()) continue;  // zones: their raster has a sheet
-            gis::ProjectLayout& one = project.layouts.emplace_back(sheet);
-            const auto show = [&](const gis::ProjectLayer& layer, bool in_legend) {
-                one.layers.push_back(layer.title);
-                one.legend.push_back(in_legend ? layer.title.substr(0, layer.title.size() - of_run.size()) : "");
-            };
-            for (const gis::ProjectLayer& line : lines.layers)
-                if (line.visible) show(line, true);
-            show(map, true);
-            one.title = page_title(source_, one.legend.back());
-            for (const std::string& note : needed_notes(result_.path(map.file), words_)) one.notes += '\n' + note;
-            if (project.groups.back().layers.front().file == raster_file(RasterName::dtm))
-                show(project.groups.back().layers.front(), false);
+            sheets.push_back(sheet_of(map, sheet, lines, project.groups.back()));
         }
+        if (sheets.empty()) return;
+        const auto turned = [&](bool portrait) {
+            for (gis::ProjectLayout& one : sheets) one.portrait = portrait;
+            return window_on(sheets, content);
+        };
+        const auto [across, across_scale] = turned(false);
+        const auto [upright, upright_scale] = turned(true);
+        const bool portrait = std::pair(upright_scale, shown.width()) < std::pair(across_scale, shown.height());
+        for (gis::ProjectLayout& one : sheets) {
+            one.portrait = portrait;
+            one.window = portrait ? upright : across;
+        }
+        project.layouts = std::move(sheets);
     }
 
-    /// Returns the ground on a sheet's map, and n of 1 : n: the least round one, or the scene's if that is greater.
-    [[nodiscard]] std::pair<Bounds, double> window_on(const gis::ProjectLayout& sheet, render::MapSpec content) const {
+    /// The sheet of one map: what it shows, from the uppermost down to the relief.
+    [[nodiscard]] gis::ProjectLayout sheet_of(const gis::ProjectLayer& map, gis::ProjectLayout sheet,
+                                              const gis::ProjectGroup& lines, const gis::ProjectGroup& lowest) const {
+        const std::string of_run = named("");
+        const auto show = [&](const gis::ProjectLayer& layer, bool in_legend) {
+            const std::string title = layer.title.substr(0, layer.title.size() - of_run.size());
+            // Points and areas of one file look the same.
+            const bool told = std::find(sheet.legend.begin(), sheet.legend.end(), title) != sheet.legend.end();
+            sheet.layers.push_back(layer.title);
+            sheet.legend.push_back(in_legend && !told ? title : "");
+            sheet.classes.push_back(gis::legend_labels(layer.style));
+        };
+        for (const gis::ProjectLayer& line : lines.layers)
+            if (line.visible) show(line, true);
+        show(map, true);
+        sheet.title = page_title(source_, sheet.legend.back());
+        for (const std::string& note : needed_notes(result_.path(map.file), words_)) sheet.notes += '\n' + note;
+        const gis::ProjectLayer& ground = lowest.layers.front();
+        if (ground.file == raster_file(RasterName::dtm)) show(ground, false);
+        return sheet;
+    }
+
+    /// Returns the ground in the sheets' frame, and n of 1 : n: the least round one, or the scene's if that is greater.
+    [[nodiscard]] std::pair<Bounds, double> window_on(const std::vector<gis::ProjectLayout>& sheets,
+                                                      render::MapSpec content) const {
         constexpr double k_pixels = 10;  // per mm
-        const Point frame = gis::frame_of(sheet);
+        const Point frame = gis::frame_of(sheets);
         const auto at_scale = [&](std::optional<double> scale) {
-            content.print = {k_pixels * 25.4, sheet.sheet, scale};
+            content.print = {k_pixels * 25.4, sheets.front().sheet, scale};
             const Bounds ground = render::map_window(content, static_cast<int>(std::lround(k_pixels * frame.x)),
                                                      static_cast<int>(std::lround(k_pixels * frame.y)));
             return std::pair{ground, ground.width() / frame.x * 1000};

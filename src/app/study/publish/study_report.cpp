@@ -123,7 +123,7 @@ void add_errors(const StudyInput& input, const StudyFacts& facts, const Words& w
         table.row({words("Deeper than {1} m at {2}", {number(rare->event.threshold), rare->event.gauge}),
                    percent(rare->probability.value) +
                        " (95 %: " + words("{1} to {2}", {percent(rare->probability.low()), percent(rare->high)}) +
-                       "), " + words("runs: {1}", {std::to_string(rare->hits)})});
+                       "), " + words.labelled(words("Runs"), std::to_string(rare->hits))});
     if (const auto& until = input.reading.study.until)
         table.row({"study.until = " + words.number(shortest_text(*until)),
                    words(facts.error.largest() <= *until ? worded("reached") : worded("not reached"))});
