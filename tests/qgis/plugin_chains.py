@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Outputs, models, loading, keys that the plugin does not know: plugin_chains.py TESTS FRANA SAMPLE PLUGINS."""
-from plugin_ground import (FRANA, LOWER, SCAR, UPPER, Told, drawn, folder, main, polygons, processing, provider, refusal,
+from plugin_ground import (FRANA, LOWER, SCAR, UPPER, Told, context, drawn, folder, main, polygons, processing, provider, refusal,
                           run, scene, use_program)
 import ast
 import csv
@@ -299,6 +299,79 @@ def test_dialogue():
         dialogue.deleteLater()
 
 
+def test_process_and_country():
+    """They stand for preset, time and scheme, which the fields tell; what is filled in counts more; words and numbers."""
+    from qgis.PyQt.QtWidgets import QLabel
+    own = {name: None for name in ("material_preset", "time_end")}
+    chosen = scene("process", PROCESS="debris-flow", COUNTRY="switzerland", **own)
+    chosen = {name: value for name, value in chosen.items() if value is not None}
+    found = run("run", {**chosen, "time_end": 6})
+    with open(os.path.join(folder, "process-inputs", "process.ini"), encoding="utf-8") as file:
+        text = file.read()
+    for line in ("preset = debris-flow", "end = 6", "scheme = swiss-debris-flow", "process = channel-debris-flow"):
+        assert "\n" + line + "\n" in text, text
+    assert os.path.exists(os.path.join(found["OUTPUT"], "hazard.tif"))
+    from frana.processes import COUNTRIES, PROCESSES, implied
+    presets = provider.algorithm("run").program.presets
+    for process in PROCESSES:
+        for country in COUNTRIES:
+            for key, text in implied(process, country, True).items():
+                assert key not in presets or text in presets[key], (process, country, key, text)
+            # By their numbers too, as scripts give choices; the program takes what they imply.
+            numbers = {"PROCESS": list(PROCESSES).index(process), "COUNTRY": str(list(COUNTRIES).index(country))}
+            years = {"material_return_period": 300} if process == "avalanche" else {}
+            good, said = provider.algorithm("run").create().checkParameterValues(
+                {**chosen, **numbers, **years, "terrain_cell_size": 40}, context())
+            assert good, (process, country, said)
+    assert "Process: is not one of the choices (value 9" in refusal("run", {**chosen, "PROCESS": 9})
+    dialogue = provider.algorithm("run").create().createCustomParametersWidget(None)
+    wrappers = dialogue.mainWidget().wrappers
+    wrappers["PROCESS"].setParameterValue("mud", dialogue.mainWidget().processing_context)
+    assert wrappers["material_preset"].wrappedLabel().text() == "Material preset (mudflow)"
+    wrappers["PROCESS"].setParameterValue("avalanche", dialogue.mainWidget().processing_context)
+    wrappers["COUNTRY"].setParameterValue("italy", dialogue.mainWidget().processing_context)
+    labels = [label.text() for label in dialogue.mainWidget().findChildren(QLabel)]
+    assert any(text.endswith("(italian-avalanche)") for text in labels), labels
+    dialogue.deleteLater()
+
+
+def test_dialogue_of_a_project():
+    """The only terrain model is chosen, the folder lies beside the project, and the mouse wheel changes a clicked field alone."""
+    from qgis.PyQt.QtCore import QPoint, QPointF, Qt
+    from qgis.PyQt.QtGui import QWheelEvent
+    from qgis.PyQt.QtWidgets import QAbstractSpinBox, QApplication, QComboBox
+    project = QgsProject.instance()
+    project.write(os.path.join(folder, "project.qgz"))
+    layer = QgsRasterLayer(scene("x")["terrain_dtm"], "ground")
+    project.addMapLayer(layer)
+    dialogue = provider.algorithm("run").create().createCustomParametersWidget(None)
+    page = dialogue.mainWidget()
+    assert page.wrappers["terrain_dtm"].parameterValue() == layer.id()
+    assert page.wrappers["OUTPUT"].parameterValue() == os.path.join(folder, "frana-run-1")
+    dialogue.show()
+    fields = page.findChildren(QAbstractSpinBox) + page.findChildren(QComboBox)
+    assert len(fields) > 60, len(fields)
+    before = page.createProcessingParameters()
+    for field in fields:
+        for turn in (120, -120):
+            QApplication.sendEvent(field, QWheelEvent(QPointF(3, 3), QPointF(3, 3), QPoint(0, 0), QPoint(0, turn), Qt.NoButton,
+                                                      Qt.NoModifier, Qt.NoScrollPhase, False))
+    assert page.createProcessingParameters() == before
+    dialogue.activateWindow()
+    size = page.wrappers["terrain_cell_size"].wrappedWidget()
+    size = size if isinstance(size, QAbstractSpinBox) else size.findChildren(QAbstractSpinBox)[0]
+    size.setFocus()
+    QApplication.processEvents()
+    QApplication.sendEvent(size, QWheelEvent(QPointF(3, 3), QPointF(3, 3), QPoint(0, 0), QPoint(0, 120), Qt.NoButton,
+                                             Qt.NoModifier, Qt.NoScrollPhase, False))
+    assert not size.hasFocus() or page.createProcessingParameters() != before
+    assert size.hasFocus(), "the platform gives no focus: the second half was not tried"
+    project.addMapLayer(QgsRasterLayer(scene("x")["terrain_dtm"], "other ground"))
+    other = provider.algorithm("run").create().createCustomParametersWidget(None)
+    assert not other.mainWidget().wrappers["terrain_dtm"].parameterValue(), "one of two was chosen"
+    project.clear()
+
+
 def test_language():
     """Fields are named in the language of QGIS, messages too."""
     settings = QgsSettings()
@@ -402,9 +475,9 @@ def test_every_key():
              "points, lines or polygons": "source", "raster or polygons": "layer", "table": "file"}
     first = [definition.name() for definition in algorithm.parameterDefinitions()
              if not definition.flags() & QgsProcessingParameterDefinition.FlagAdvanced]
-    assert first == ["terrain_dtm", "release_perimeter", "release_thickness", "release_thickness_column", "material_preset",
-                     "time_end", "terrain_cell_size", "numerics_accuracy", "output_maps", "output_language",
-                     "observed_perimeter", "OUTPUT"], first
+    assert first == ["PROCESS", "COUNTRY", "terrain_dtm", "release_perimeter", "release_thickness", "release_thickness_column",
+                     "release_dtm_contains_release", "material_return_period", "terrain_cell_size", "observed_perimeter",
+                     "output_exposure", "OUTPUT"], first
     for key in keys:
         if key["name"] in ("scene.format", "output.directory"):
             continue

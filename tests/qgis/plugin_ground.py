@@ -106,11 +106,16 @@ def run(name, parameters, feedback=None, context=None):
                           is_child_algorithm=False)
 
 
+def context():
+    """That of the project."""
+    made = QgsProcessingContext()
+    made.setProject(QgsProject.instance())
+    return made
+
+
 def refusal(name, parameters):
     """What the dialogue says before anything runs."""
-    context = QgsProcessingContext()
-    context.setProject(QgsProject.instance())
-    good, message = provider.algorithm(name).create().checkParameterValues(parameters, context)
+    good, message = provider.algorithm(name).create().checkParameterValues(parameters, context())
     assert not good, "not refused"
     return message
 

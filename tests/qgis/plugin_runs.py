@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs through the plugin: plugin_runs.py TESTS FRANA SAMPLE PLUGINS."""
-from plugin_ground import (DTM, LOWER, SCAR, UPPER, Told, folder, main, polygons, processing, provider, refusal, run, scene)
+from plugin_ground import (DTM, FRANA, LOWER, SCAR, UPPER, Told, folder, main, polygons, processing, provider, refusal, run,
+                           scene, use_program)
 import os
 
 from osgeo import gdal
@@ -116,7 +117,7 @@ def test_written_values():
                      "is not a whole number (value 1.5)"):
         assert sentence in message, message
     message = refusal("run", scene("choices", material_preset="mudflo", output_maps=["off", "depth_of"]))
-    assert "Process and material preset: is not one of the choices (value mudflo; allowed " in message, message
+    assert "Material: Material preset: is not one of the choices (value mudflo; allowed " in message, message
     assert "Maps: is not one of the choices (value depth_of; " in message and message.count("\n") == 1, message
     assert "Number of resolutions: is out of range (value 2; allowed 3 to 6)" in refusal("converge", scene("few", LEVELS=2))
     assert "Measures: none is given" in refusal("calibrate", {"SCENES": [DTM], "OUTPUT": os.path.join(folder, "none")})
@@ -207,6 +208,49 @@ def test_scene_file():
     found = run("run", {"SCENE": written["OUTPUT"], "release_thickness": "6", "OUTPUT": os.path.join(folder, "from")}, told)
     assert abs(found["VOLUME_M3"] - 90000) < 1, found["VOLUME_M3"]
     assert any("Output: Animation: off, as in the scene file" in line for line in told.infos), told.infos
+
+
+def test_windows():
+    """Through a stand-in for wsl.exe, which starts the program as Windows' own would; paths go there and back."""
+    from frana import process, wsl
+    for there, here in (("C:\\Hazard maps\\dtm.tif", "/mnt/c/Hazard maps/dtm.tif"), ("raster:d:/x/t.tif", "raster:/mnt/d/x/t.tif"),
+                        ("terrain.dtm=E:\\a\\b.tif", "terrain.dtm=/mnt/e/a/b.tif"), ("--out", "--out"), ("0.5", "0.5"),
+                        ("C:\\a.ini, D:\\b.ini", "/mnt/c/a.ini, /mnt/d/b.ini")):
+        assert wsl.inside(there) == here, (there, wsl.inside(there))
+    assert wsl.outside("/mnt/c/maps/dtm.tif: is missing") == "C:\\maps\\dtm.tif: is missing"
+    assert wsl.outside("m/mnt is no drive, 3 m/s") == "m/mnt is no drive, 3 m/s"
+    program, log = os.path.join(folder, "wsl.exe"), os.path.join(folder, "wsl.log")
+    with open(program, "w", encoding="utf-8") as file:
+        file.write(f"""#!/bin/sh
+echo "$@" >> '{log}'
+[ "$1" = -- ] || exit 9
+shift
+if [ "$1" = frana ]; then shift; exec '{FRANA}' "$@"; fi
+exec "$@"
+""")
+    os.chmod(program, 0o755)
+    terminal, process.pty = process.pty, None  # which Windows has not
+    use_program(program)
+    try:
+        direct = run("run", scene("windows"))
+        assert abs(direct["VOLUME_M3"] / 45000 - 1) < 1e-6, direct["VOLUME_M3"]
+        assert "Release thickness" in refusal("run", scene("bad windows", release_thickness="-3"))
+        feedback = Told()
+        stopped = scene("cancelled windows", terrain_cell_size=5, time_end=600, release_thickness="8", time_stop_change=0)
+        import threading
+        threading.Timer(4, feedback.cancel).start()
+        try:
+            run("run", stopped, feedback)
+        except QgsProcessingException as error:
+            assert "Stopped" in str(error), error
+        else:
+            raise AssertionError("the cancelled run ended as if nothing had been")
+    finally:
+        process.pty = terminal
+        use_program(FRANA)
+    with open(log, encoding="utf-8") as file:
+        calls = file.read()
+    assert "-- frana run " in calls and "-- pkill -INT -n -x frana" in calls, calls
 
 
 def test_observed_deposit():

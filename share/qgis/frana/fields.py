@@ -11,10 +11,9 @@ from qgis.core import (QgsProcessing, QgsProcessingAlgorithm, QgsProcessingConte
                        QgsProcessingParameterFeatureSource, QgsProcessingParameterField, QgsProcessingParameterFile,
                        QgsProcessingParameterMapLayer, QgsProcessingParameterNumber, QgsProcessingParameterRasterLayer,
                        QgsProcessingParameterString, QgsRasterLayer)
-from qgis.PyQt.QtCore import QVariant
 
 from .keys import Key
-from .layers import Layer, RasterSource, VectorSource
+from .layers import Layer, RasterSource, VectorSource, is_null
 from .translation import tr
 
 _GEOMETRY = {"polygons": [QgsProcessing.TypeVectorPolygon], "lines": [QgsProcessing.TypeVectorLine],
@@ -32,7 +31,7 @@ class Values:
 
     def has(self, name: str) -> bool:
         value = self.parameters.get(name)
-        return not (value is None or value == "" or value == [] or (isinstance(value, QVariant) and value.isNull()))
+        return not (value is None or value == "" or value == [] or is_null(value))
 
     def text(self, name: str) -> str:
         return self.algorithm.parameterAsString(self.parameters, name, self.context).strip()
@@ -51,10 +50,12 @@ class Values:
         return self.algorithm.parameterAsBoolean(self.parameters, name, self.context)
 
     def word(self, name: str) -> str:
-        return self.algorithm.parameterAsEnumString(self.parameters, name, self.context)
+        return ", ".join(self.words(name))
 
     def words(self, name: str) -> list[str]:
-        return self.algorithm.parameterAsEnumStrings(self.parameters, name, self.context)
+        """Of a choice, given by words or by their numbers from 0."""
+        options = self.algorithm.parameterDefinition(name).options()
+        return [word_of(one, options) for one in chosen(self.parameters.get(name))]
 
     def column(self, name: str) -> str:
         columns = self.algorithm.parameterAsFields(self.parameters, name, self.context)
@@ -72,6 +73,19 @@ class Values:
         if isinstance(self.algorithm.parameterAsLayer(self.parameters, name, self.context), QgsRasterLayer):
             return self.raster(name, title)
         return self.vector(name, title)
+
+
+def chosen(value: Any) -> list[Any]:
+    """What is chosen of a choice: one, several, or several in a text."""
+    if isinstance(value, str):
+        return [one.strip() for one in value.split(",") if one.strip()]
+    return list(value) if isinstance(value, (list, tuple)) else [value]
+
+
+def word_of(value: Any, options: list[str]) -> str:
+    """The word that a word or a number from 0 means; itself if it means none."""
+    text = str(value).strip()
+    return options[int(text)] if text not in options and text.isdigit() and int(text) < len(options) else text
 
 
 def number_text(value: float) -> str:

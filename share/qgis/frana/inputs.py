@@ -10,18 +10,19 @@ from qgis.core import QgsProcessingException
 from .fields import Field, Values
 from .layers import Layer
 from .translation import tr
+from .wsl import inside
 
 _ENDING = "-inputs"
 
 
 class Given:
-    """What the user gave: keys with their texts or layers, in the order of the keys. Taken while the project may be
-    read, written later."""
+    """What the user gave, and what his process and country imply for the rest: keys with their texts or layers, in the
+    order of the keys. Taken while the project may be read, written later."""
 
-    def __init__(self, fields: list[Field], values: Values) -> None:
+    def __init__(self, fields: list[Field], values: Values, implied: dict[str, str]) -> None:
         self.given: list[tuple[Field, str | tuple[str, Layer]]] = []
         for field in fields:
-            value = field.value(values)
+            value = field.value(values) or implied.get(field.key.name)
             if value is not None:
                 self.given.append((field, value))
 
@@ -38,7 +39,7 @@ class Given:
             if not isinstance(value, str):
                 before, layer = value
                 value = before + os.path.join(layers, layer.write(os.path.join(folder, layers), field.name))
-            texts.append((field, value))
+            texts.append((field, inside(value)))
         return texts
 
 

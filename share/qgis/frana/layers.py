@@ -7,14 +7,18 @@ from contextlib import contextmanager
 from typing import Iterator, Protocol
 
 from osgeo import gdal
-from qgis.core import (QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsFeatureRequest, QgsFeatureSink,
+from qgis.core import (NULL, QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsFeatureRequest, QgsFeatureSink,
                        QgsProcessingException, QgsProcessingFeatureSource, QgsRasterFileWriter,
                        QgsRasterLayer, QgsRasterPipe, QgsVectorFileWriter, QgsWkbTypes)
-from qgis.PyQt.QtCore import QVariant
 
 from .translation import tr
 
 VECTOR_DRIVER = "GPKG"
+
+
+def is_null(value: object) -> bool:
+    """Whether it is QGIS's own null, which is a QVariant with Qt 5 and a value of QGIS with Qt 6."""
+    return value == NULL and not isinstance(value, (str, int, float, list, tuple, dict))
 
 
 class Layer(Protocol):
@@ -58,7 +62,7 @@ class VectorSource:
         """The different values of a column, sorted; without empty ones."""
         request = QgsFeatureRequest().setFlags(QgsFeatureRequest.NoGeometry)
         found = {feature[column] for feature in self.source.getFeatures(request)}
-        return sorted((value for value in found if not (value is None or isinstance(value, QVariant))), key=str)
+        return sorted((value for value in found if not (value is None or is_null(value))), key=str)
 
     def write(self, folder: str, stem: str) -> str:
         name = stem + ".gpkg"

@@ -2,16 +2,14 @@
 """Runs the program: its progress to QGIS, a cancel from QGIS to it."""
 from __future__ import annotations
 
-import fcntl
 import os
-import pty
+import queue
 import re
-import select
 import signal
 import struct
 import subprocess
 import tempfile
-import termios
+import threading
 from dataclasses import dataclass, field
 
 from qgis.core import QgsProcessingException, QgsProcessingFeedback
@@ -19,6 +17,14 @@ from qgis.core import QgsProcessingException, QgsProcessingFeedback
 from .fields import Field
 from .messages import problems_of, progress_of, warning_of
 from .translation import tr
+from .wsl import command, is_wsl, outside
+
+try:
+    import fcntl
+    import pty
+    import termios
+except ImportError:  # Windows
+    pty = None
 
 STOPPED = 128 + signal.SIGINT
 _INTERVAL = 0.1  # seconds between looks at the cancel button
@@ -67,6 +73,7 @@ class _Reader:
             self.feedback.setProgress(percent)
             self.feedback.setProgressText(line.removeprefix("frana: ").strip())
             return
+        line = outside(line)
         self.lines.append(line)
         warning = warning_of(line)
         if warning is not None:
@@ -76,22 +83,30 @@ class _Reader:
             self.feedback.pushInfo(line)
 
 
-def run_program(words: list[str], feedback: QgsProcessingFeedback) -> Finished:
-    """Runs the program to its end. On cancel it gets SIGINT: a run writes its checkpoint and what it has."""
-    # On a terminal the program shows progress five times a second, else every ten seconds.
+def _terminal() -> tuple[int, int]:
+    """Two ends of what the program writes messages to. On a terminal it shows progress five times a second, else, as on
+    Windows, every ten seconds."""
+    if pty is None:
+        return os.pipe()
     master, slave = pty.openpty()
     fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 50, _WIDTH, 0, 0))
+    return master, slave
+
+
+def run_program(words: list[str], feedback: QgsProcessingFeedback) -> Finished:
+    """Runs the program, words[0], to its end. On cancel it gets SIGINT: a run writes its checkpoint and what it has."""
+    master, slave = _terminal()
     reader, lines = _Reader(feedback), _Lines()
     with tempfile.TemporaryFile() as output:
         try:
-            process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=output, stderr=slave)
+            process = subprocess.Popen(command(words[0], words[1:]), stdin=subprocess.DEVNULL, stdout=output, stderr=slave)
         except OSError as error:
             os.close(master)
             raise QgsProcessingException(tr("{0} could not be started: {1}", words[0], error.strerror)) from error
         finally:
             os.close(slave)
         try:
-            _follow(process, master, lines, reader, feedback)
+            _follow(process, words[0], master, lines, reader, feedback)
         finally:
             os.close(master)
         for line in lines.end():
@@ -99,30 +114,46 @@ def run_program(words: list[str], feedback: QgsProcessingFeedback) -> Finished:
         output.seek(0)
         text = output.read().decode("utf-8", "replace")
     code = process.returncode if process.returncode >= 0 else 128 - process.returncode
-    return Finished(code, text, reader.lines, reader.warnings)
+    return Finished(code, outside(text), reader.lines, reader.warnings)
 
 
-def _follow(process: subprocess.Popen, master: int, lines: _Lines, reader: _Reader,
+def _read(end: int, data: queue.Queue) -> None:
+    """Puts what comes into the queue; at last nothing."""
+    while True:
+        try:
+            part = os.read(end, 65536)
+        except OSError:  # the other side of the terminal is closed
+            part = b""
+        data.put(part)
+        if not part:
+            return
+
+
+def _follow(process: subprocess.Popen, program: str, master: int, lines: _Lines, reader: _Reader,
             feedback: QgsProcessingFeedback) -> None:
     asked_to_stop = False
+    data: queue.Queue = queue.Queue()
+    thread = threading.Thread(target=_read, args=(master, data), daemon=True)
+    thread.start()
     while True:
-        ready, _, _ = select.select([master], [], [], _INTERVAL)
-        if ready:
-            try:
-                data = os.read(master, 65536)
-            except OSError:  # the other side of the terminal is closed
-                data = b""
-            for line in lines.add(data):
+        try:
+            part = data.get(timeout=_INTERVAL)
+            for line in lines.add(part):
                 reader.take(line)
-            if not data:
+            if not part:
                 process.wait()
+                break
+        except queue.Empty:
+            if process.poll() is not None:
                 return
-        elif process.poll() is not None:
-            return
         if feedback.isCanceled() and not asked_to_stop:
             asked_to_stop = True
             feedback.setProgressText(tr("Stopping: the program writes what it has"))
-            process.send_signal(signal.SIGINT)
+            if is_wsl(program):  # a signal does not pass from Windows to Linux
+                subprocess.run([program, "--", "pkill", "-INT", "-n", "-x", "frana"], check=False)
+            else:
+                process.send_signal(signal.SIGINT)
+    thread.join()
 
 
 def run_or_refuse(words: list[str], feedback: QgsProcessingFeedback, fields: list[Field], names: dict[str, str],

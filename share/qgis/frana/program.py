@@ -13,6 +13,7 @@ from qgis.core import QgsApplication, QgsSettings
 
 from .keys import Key, key_from_json
 from .translation import catalogue, tr
+from .wsl import command
 
 SETTING = "FRANA_PROGRAM"  # of Processing's options
 _INSTALLED_BY = os.path.join(os.path.dirname(__file__), "program.txt")  # written by `frana qgis-plugin --install`
@@ -47,7 +48,7 @@ def find_program() -> str:
             raise ProgramError(tr("{0} is not a program that can be run. Correct the path under Settings, Options, "
                                   "Processing, Providers, frana, or empty it", setting))
         return setting
-    found = shutil.which("frana")
+    found = shutil.which("frana") or (shutil.which("wsl.exe") if os.name == "nt" else None)
     if found:
         return found
     if os.path.isfile(_INSTALLED_BY):
@@ -61,7 +62,7 @@ def find_program() -> str:
 
 def _answer(path: str, *words: str) -> str:
     try:
-        done = subprocess.run([path, *words], stdin=subprocess.DEVNULL, capture_output=True, timeout=_LIMIT, check=True)
+        done = subprocess.run(command(path, list(words)), stdin=subprocess.DEVNULL, capture_output=True, timeout=_LIMIT, check=True)
     except (OSError, subprocess.SubprocessError) as error:
         raise ProgramError(tr("{0} does not answer: {1}", " ".join([path, *words]), error)) from error
     return done.stdout.decode("utf-8", "replace")

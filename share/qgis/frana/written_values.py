@@ -9,6 +9,7 @@ from typing import Any
 from qgis.core import (QgsProcessingParameterBoolean, QgsProcessingParameterDefinition, QgsProcessingParameterEnum,
                        QgsProcessingParameterNumber)
 
+from .fields import chosen, word_of
 from .translation import tr
 
 _NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
@@ -38,8 +39,9 @@ def problem_of(parameter: QgsProcessingParameterDefinition, value: Any) -> str |
 def _choice_problem(parameter: QgsProcessingParameterEnum, value: Any) -> str | None:
     if value is None or value == "" or value == [] or not isinstance(value, (str, int, list, tuple)):
         return None
-    chosen = value if isinstance(value, (list, tuple)) else str(value).split(",") if parameter.allowMultiple() else [value]
-    wrong = [str(one) for one in chosen if str(one).strip() not in parameter.options()]
+    wrong = [str(one) for one in chosen(value) if word_of(one, parameter.options()) not in parameter.options()]
+    if not wrong and not parameter.allowMultiple() and len(chosen(value)) > 1:
+        wrong = [str(value)]
     if not wrong:
         return None
     return tr("is not one of the choices (value {0}; allowed {1})", ", ".join(wrong), ", ".join(parameter.options()))

@@ -11,25 +11,28 @@
 namespace frana {
 namespace {
 
-/// A key that nearly every scene has, or whose own words do not say what it is. The first ten are those that a
+/// A key that nearly every scene has, or whose own words do not say what it is. The first eight are those that a
 /// dialogue shows, in this order.
 struct KeyRow {
     std::string_view key;
     bool is_main = false;
     const char* title = "";
 };
-constexpr std::size_t k_first_keys = 10;
+constexpr std::size_t k_first_keys = 8;
 constexpr KeyRow k_rows[] = {
     {"terrain.dtm", true, "terrain model (DTM)"},
     {"release.perimeter", true, "release area"},
     {"release.thickness", true, "release thickness"},
-    {"material.preset", true, "process and material preset"},
-    {"time.end", true, "longest simulated time"},
+    {"release.dtm-contains-release", true, "DTM contains the release"},
+    {"material.return-period"},
     {"terrain.cell-size", true, "cell size"},
+    {"observed.perimeter", true, "surveyed outline"},
+    {"output.exposure"},
+    {"material.preset", true, "material preset"},
+    {"time.end", true, "longest simulated time"},
     {"numerics.accuracy", true, "accuracy, instead of a cell size"},
     {"output.maps", false, "maps"},
     {"output.language", false, "language of maps and report"},
-    {"observed.perimeter", true, "surveyed outline"},
     {"terrain.crs", true, "working CRS"},
     {"terrain.dtm-crs", false, "CRS of the DTM"},
     {"terrain.bounds", false, "part of the DTM"},
@@ -37,7 +40,6 @@ constexpr KeyRow k_rows[] = {
     {"terrain.nodata-value", false, "value that means no elevation"},
     {"terrain.error", false, "error of the elevations"},
     {"terrain.source", false, "source of the elevations"},
-    {"release.dtm-contains-release", true, "DTM contains the release"},
     {"release.level", false, "level of a released lake"},
     {"release.start", false, "time of failure"},
     {"release.velocity", false, "initial speed"},

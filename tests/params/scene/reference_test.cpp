@@ -83,7 +83,7 @@ TEST(Reference, TheJsonFormMarksTheTwentyMainKeys) {
     EXPECT_EQ(marked, 20);  // each is a key: a misspelt one would be missing here
 }
 
-TEST(Reference, TheJsonFormNamesKeysInALanguageAndPlacesTenInADialogue) {
+TEST(Reference, TheJsonFormNamesKeysInALanguageAndPlacesEightInADialogue) {
     std::set<std::size_t> places;
     int translated = 0, titled = 0;
     const Json german = Json::parse(reference_json(Language::german));
@@ -102,8 +102,8 @@ TEST(Reference, TheJsonFormNamesKeysInALanguageAndPlacesTenInADialogue) {
         ++titled;
         translated += key["title"] != title_of(own) ? 1 : 0;
     }
-    EXPECT_EQ(places.size(), 10U);
-    EXPECT_EQ(*places.rbegin(), 9U) << "each row of the table is a key";
+    EXPECT_EQ(places.size(), 8U);
+    EXPECT_EQ(*places.rbegin(), 7U) << "each row of the table is a key";
     EXPECT_GE(titled, 40);
     EXPECT_GT(translated, titled * 9 / 10);
 }

@@ -6,11 +6,11 @@ import os
 from typing import Any
 
 from qgis.core import (QgsProcessingAlgorithm, QgsProcessingContext, QgsProcessingOutputDefinition,
-                       QgsProcessingParameterBoolean, QgsProcessingParameterDefinition,
+                       QgsProcessingParameterBoolean, QgsProcessingParameterDefinition, QgsProcessingParameterEnum,
                        QgsProcessingParameterFolderDestination, QgsProcessingParameterMatrix)
 from qgis.PyQt.QtGui import QIcon
 
-from ..fields import Values, number_parameter
+from ..fields import Values, chosen, number_parameter, word_of
 from ..inputs import inputs_folder
 from ..program import Program
 from ..translation import tr
@@ -88,7 +88,16 @@ class FranaAlgorithm(QgsProcessingAlgorithm):
     def checkParameterValues(self, parameters: dict[str, Any],  # noqa: N802
                              context: QgsProcessingContext) -> tuple[bool, str]:
         problems = self.written_problems(parameters)
-        return (False, "\n".join(problems)) if problems else super().checkParameterValues(parameters, context)
+        return (False, "\n".join(problems)) if problems else super().checkParameterValues(self.with_words(parameters), context)
+
+    def with_words(self, parameters: dict[str, Any]) -> dict[str, Any]:
+        """Choices given by numbers as the words that QGIS knows."""
+        words = {}
+        for one in self.parameterDefinitions():
+            if isinstance(one, QgsProcessingParameterEnum) and isinstance(parameters.get(one.name()), (int, str)):
+                found = [word_of(value, one.options()) for value in chosen(parameters[one.name()])]
+                words[one.name()] = found if one.allowMultiple() else ",".join(found)
+        return {**parameters, **words}
 
     # What an algorithm declares is shown in the language of QGIS.
 

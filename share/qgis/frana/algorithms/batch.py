@@ -43,9 +43,7 @@ class BatchAlgorithm(StudyAlgorithm):
             "Columns of the polygons give what differs from slope to slope.")
     TAGS = ("region", "hazard map", "indication map", "exposure")
     FILE = "Region file, instead of the fields"
-    # What a person chooses once for all slopes, whatever the program calls it.
-    ALSO_FIRST = ("hazard.scheme", "hazard.process", "material.friction-table", "output.trace-threshold", "output.exposure")
-    NOT_FIRST = ("observed.perimeter", "numerics.accuracy")
+    NOT_FIRST = ("observed.perimeter", "material.return-period")  # the return period is the scenario's
     NAMES = {**StudyAlgorithm.NAMES, "columns": "Other keys from columns",
              **{(name if "." in name else "region." + name): label for name, _, label, _ in _COLUMNS}}
 
@@ -74,6 +72,9 @@ class BatchAlgorithm(StudyAlgorithm):
         self.add_load()
         self.add_result_folder()
         declare(self, BATCH)
+
+    def has_return_period(self, values: Values) -> bool:
+        return any(values.has(name) for name in ("SCENARIO_TABLE", "RETURN_PERIOD", "material_return_period"))
 
     def scenario_keys(self) -> list[str]:
         """Keys of the release that differ from scenario to scenario: those that a column may give."""

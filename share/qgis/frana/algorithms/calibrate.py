@@ -13,6 +13,7 @@ from ..fields import Values, number_parameter, number_text
 from ..inputs import settings, write_scene
 from ..outputs import CALIBRATE, declare
 from ..translation import tr
+from ..wsl import inside
 from .study import StudyAlgorithm, by_key, rows, section, table, vary_parameter
 
 _RELEASE, _SURVEY = "release.perimeter", "observed.perimeter"
@@ -29,7 +30,7 @@ class CalibrateAlgorithm(StudyAlgorithm):
             "these, too.")
     TAGS = ("back-calculation", "inverse")
     TAKES_SCENE_FILE = False
-    NOT_FIRST = ("output.maps", "numerics.accuracy")
+    NOT_FIRST = ("output.exposure", "material.return-period")
     NAMES = {**StudyAlgorithm.NAMES, "vary": "Uncertain values", "objective": "Measures", "study": "Study"}
 
     def initAlgorithm(self, configuration: dict[str, Any] | None = None) -> None:  # noqa: N802
@@ -95,7 +96,7 @@ class CalibrateAlgorithm(StudyAlgorithm):
         entries = [("samples", str(values.whole("SAMPLES")))]
         entries += [("seed", str(values.whole("SEED")))] if values.has("SEED") else []
         if files:
-            entries.insert(0, ("scene", ", ".join(os.path.abspath(file) for file in files)))
+            entries.insert(0, ("scene", ", ".join(inside(os.path.abspath(file)) for file in files)))
         lines = section("study", entries)
         for name, scene in events:
             lines += section("event " + name, [("scene", scene)])

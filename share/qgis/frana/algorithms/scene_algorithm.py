@@ -9,12 +9,13 @@ import tempfile
 from typing import Any
 
 from qgis.core import (QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback,
-                       QgsProcessingParameterDefinition, QgsProcessingParameterFile)
+                       QgsProcessingParameterDefinition, QgsProcessingParameterEnum, QgsProcessingParameterFile)
 from qgis.PyQt.QtWidgets import QWidget
 
 from ..fields import Field, Values, fields_of
 from ..inputs import Given, result_of, settings, write_scene
 from ..messages import problems_of
+from ..processes import COUNTRIES, PROCESSES, implied
 from ..process import run_program
 from ..translation import tr
 from .base import FranaAlgorithm
@@ -22,8 +23,7 @@ from .base import FranaAlgorithm
 
 class SceneAlgorithm(FranaAlgorithm):
     TAKES_SCENE_FILE = True
-    ALSO_FIRST: tuple[str, ...] = ()  # keys whose fields this dialogue does not hide
-    NOT_FIRST: tuple[str, ...] = ()
+    NOT_FIRST: tuple[str, ...] = ()  # keys whose fields this dialogue hides
 
     def __init__(self, program) -> None:
         super().__init__(program)
@@ -31,7 +31,14 @@ class SceneAlgorithm(FranaAlgorithm):
         self.given: Given | None = None
 
     def add_scene(self) -> None:
-        """The fields of the keys: those that matter most, the others under the advanced parameters."""
+        """Process and country, the fields of the keys that matter most, the others under the advanced parameters."""
+        for name, label, words, text in (
+                ("PROCESS", "Process", PROCESSES, "Decides the preset with its density and friction, and the longest "
+                 "simulated time; for an avalanche with a return period also the friction table. A field of yours counts more."),
+                ("COUNTRY", "Country", COUNTRIES, "Decides, with the process, the scheme of intensity classes.")):
+            choice = QgsProcessingParameterEnum(name, label, list(words), False, None, True, True)
+            choice.setHelp(text)
+            self.addParameter(choice)
         for field in self.fields:
             for parameter in field.parameters(self.is_first(field)):
                 self.addParameter(parameter)
@@ -44,7 +51,7 @@ class SceneAlgorithm(FranaAlgorithm):
     def is_first(self, field: Field) -> bool:
         """Whether the dialogue does not hide a field."""
         name = field.key.name
-        return name in self.ALSO_FIRST or field.key.place is not None and name not in self.NOT_FIRST
+        return field.key.place is not None and name not in self.NOT_FIRST
 
     def createCustomParametersWidget(self, parent: QWidget | None) -> QWidget:  # noqa: N802
         from ..dialogue import dialogue_by_sections  # needs a window
@@ -63,8 +70,17 @@ class SceneAlgorithm(FranaAlgorithm):
     def prepareAlgorithm(self, parameters: dict[str, Any], context: QgsProcessingContext,  # noqa: N802
                          feedback: QgsProcessingFeedback) -> bool:
         # In the main thread, where layers of the project may be read.
-        self.given = Given(self.fields, self.values(parameters, context))
+        values = self.values(parameters, context)
+        self.given = Given(self.fields, values, self.implied(values))
         return True
+
+    def implied(self, values: Values) -> dict[str, str]:
+        """Texts of keys by process and country, of those keys that the program has."""
+        words = [values.word(name) if values.has(name) else "" for name in ("PROCESS", "COUNTRY")]
+        return implied(*words, self.has_return_period(values))
+
+    def has_return_period(self, values: Values) -> bool:
+        return values.has("material_return_period")
 
     def scene_words(self, values: Values, folder: str, feedback: QgsProcessingFeedback | None = None) -> list[str]:
         """Writes the inputs into the folder; returns the scene's path and the --set words."""
@@ -111,7 +127,7 @@ class SceneAlgorithm(FranaAlgorithm):
         values = self.values(parameters, context)
         try:
             with tempfile.TemporaryDirectory(prefix="frana_check_") as folder:
-                self.given = Given(self.fields, values)
+                self.given = Given(self.fields, values, self.implied(values))
                 problems = self.problems(values, folder)
         except QgsProcessingException as error:
             return False, str(error)

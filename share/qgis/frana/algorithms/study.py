@@ -14,6 +14,7 @@ from ..keys import Key
 from ..outputs import Output, collect
 from ..process import run_or_refuse
 from ..translation import tr
+from ..wsl import inside
 from .scene_algorithm import SceneAlgorithm
 
 
@@ -68,7 +69,7 @@ class StudyAlgorithm(SceneAlgorithm):
     def scene(self, values: Values, folder: str) -> tuple[str, list[str]]:
         """Writes the scene; returns its name for a file in the folder, and the lines of its changes."""
         if values.has("SCENE"):
-            return os.path.abspath(values.text("SCENE")), section("set", settings(folder, self.given))
+            return inside(os.path.abspath(values.text("SCENE"))), section("set", settings(folder, self.given))
         return os.path.basename(write_scene(folder, self.given, f"{self.TITLE}, from QGIS", self.scene_name(folder))), []
 
     def study(self, values: Values, folder: str) -> str:
