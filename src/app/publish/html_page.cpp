@@ -55,6 +55,8 @@ figure { margin: .6rem 0; } figcaption { font-size: .85rem; color: #333; }
 img, svg { display: block; width: 100%; height: auto; border: 1px solid #ccc; }
 .swatch { display: inline-block; width: 1em; height: 1em; border: 1px solid #666; vertical-align: -.15em; }
 summary { cursor: pointer; font-weight: bold; margin: .6rem 0; }
+@media screen and (max-width: 40rem) { .answer table { font-size: .7rem; }
+  .answer th, .answer td { overflow-wrap: normal; padding: .15rem .2rem; } }
 @page { size: A4; margin: 13mm 15mm 16mm; font: 7.5pt "DejaVu Sans", Verdana, sans-serif; color: #555;
   @bottom-right { content: counter(page) " / " counter(pages); } }
 @media print {

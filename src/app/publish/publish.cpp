@@ -18,6 +18,7 @@
 #include "app/publish/publish_rasters.h"
 #include "app/publish/publish_series.h"
 #include "app/publish/report.h"
+#include "app/publish/report_answer.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
 #include "app/store/vector_layers.h"
@@ -265,10 +266,16 @@ void write_rest_of_report(Publication& p) {
     p.facts.wall.total = p.run.earlier_seconds + p.run.since_start.seconds();
     p.facts.peak_memory_bytes = peak_memory_bytes();
     (p.facts.warnings = p.result().warnings) += p.log.take_warnings();
-    if (p.prepared().spec.output.report)
-        write_report({p.prepared(), p.result(), p.facts, p.comparison, p.facts.hazard,
-                      error_estimates(p.facts, p.directory.target()), words_of(p.prepared().spec)},
-                     p.directory);
+    ReportInput report{p.prepared(),
+                       p.result(),
+                       p.facts,
+                       p.comparison,
+                       p.facts.hazard,
+                       error_estimates(p.facts, p.directory.target()),
+                       words_of(p.prepared().spec)};
+    if (p.prepared().spec.output.report) write_report(report, p.directory);
+    report.words = Words{};  // a terminal's
+    p.log.info(answer_lines(report));
 }
 
 /// The files of a result in the order in which they are written: none needs one after it, the summary describes all.

@@ -232,18 +232,19 @@ std::optional<Point> greatest_place(const Raster& raster) {
     return raster.grid.cell_centre(cell / raster.grid.columns, cell % raster.grid.columns);
 }
 
-Cell cell_error(const ErrorEstimates& errors, const Words& words) {
-    return {errors.of.empty() ? words("no estimate") : "±", "soft"};
-}
-
 Cell error_cell(const ErrorEstimates& errors, const std::string& key, const Words& words) {
     return {error_text(errors, key, words), "soft"};
 }
 
 constexpr std::size_t k_answered = 2;  // of k_peak_statistics, that the four answers have
 
-/// How far, how deep, how fast, how sure: value, unit, error, place.
-Table four_answers(const ReportInput& input) {
+/// One of the four answers.
+struct Answer {
+    std::string question, figure, value, unit, error, where;
+};
+
+/// How far, how deep, how fast, how sure.
+std::vector<Answer> answers(const ReportInput& input) {
     const Words& words = input.words;
     const ReportNumbers number(words);
     const SummaryFacts& f = input.facts;
@@ -251,32 +252,46 @@ Table four_answers(const ReportInput& input) {
     const auto place = [&](const std::optional<Point>& p) {
         return p ? words("E {1}, N {2}", {number.grouped(p->x), number.grouped(p->y)}) : std::string();
     };
-    Table table({"", "", words("Value"), "", words("± by cell size"), words("Where")});
-    const auto row = [&](const std::string& question, const std::string& figure, const std::string& value,
-                         const std::string& unit, const Cell& error, const std::string& where) {
-        table.row({question, figure, {value, "n"}, {unit, "u"}, error, where});
-    };
     const Runout& run_out = f.statistics.run_out();
-    row(words("How far"), words("Run-out"), number.grouped(run_out.horizontal_m), "m",
-        error_cell(input.errors, k_run_out_key, words), run_out.horizontal_m > 0 ? place(run_out.tip) : std::string());
+    std::vector<Answer> found{{words("How far"), words("Run-out"), number.grouped(run_out.horizontal_m), "m",
+                               error_text(input.errors, k_run_out_key, words),
+                               run_out.horizontal_m > 0 ? place(run_out.tip) : std::string()}};
     const auto strength = [&](std::size_t i, const std::string& question, const std::string& title) {
         const PeakStatistic& what = k_peak_statistics[i];
         const bool has_area = !std::isnan(f.high[i].p999);
         const double value = has_area ? f.high[i].p999 : greatest(f.high[i]);
         const std::string direction =
             i == 0 ? std::string(", ") + words(r.depth_is_normal ? k_normal : k_vertical) : "";
-        row(question, has_area ? title : words(what.title), number(value, 3), what.row().unit + direction,
-            has_area ? error_cell(input.errors, std::string(what.name) + "_p999_" + what.key_unit, words) : Cell(""),
-            place(greatest_place(r.raster(what.name))));
+        const std::string key = std::string(what.name) + "_p999_" + what.key_unit;
+        found.push_back({question, has_area ? title : words(what.title), number(value, 3), what.row().unit + direction,
+                         has_area ? error_text(input.errors, key, words) : "",
+                         place(greatest_place(r.raster(what.name)))});
     };
     strength(0, words("How deep"), words("99.9th percentile of depth"));
     strength(1, words("How fast"), words("99.9th percentile of speed"));
     const bool has_energy = r.energy_error.has_value();
-    row(words("How sure"), has_energy ? words("energy error") : words("volume error"),
-        number(100 * (has_energy ? *r.energy_error : std::abs(relative_volume_error(r))), 2), "%",
-        cell_error(input.errors, words),
-        words("cells of {1} m", {number(r.raster(RasterName::max_depth).grid.cell_size)}));
+    found.push_back({words("How sure"), has_energy ? words("energy error") : words("volume error"),
+                     number(100 * (has_energy ? *r.energy_error : std::abs(relative_volume_error(r))), 2), "%",
+                     input.errors.of.empty() ? words("no estimate") : "±",
+                     words("cells of {1} m", {number(r.raster(RasterName::max_depth).grid.cell_size)})});
+    return found;
+}
+
+Table four_answers(const ReportInput& input) {
+    Table table({"", "", input.words("Value"), "", input.words("± by cell size"), input.words("Where")});
+    for (const Answer& one : answers(input))
+        table.row({one.question, one.figure, {one.value, "n"}, {one.unit, "u"}, {one.error, "soft"}, one.where});
     return table;
+}
+
+/// What a reader who signs has before him: whether the friction is a starting value or one of the scene's own.
+std::string what_it_is(const ReportInput& input) {
+    const SceneSpec& spec = input.prepared.spec;
+    bool is_own = false;
+    for (const std::string& key : told_keys(spec))
+        is_own = is_own || (key != "material.density" && spec.origin_of(key) == Origin::scene_file);
+    return input.words(is_own && !input.prepared.friction ? worded("One run with one set of values, the scene's own.")
+                                                          : worded("One run with one set of values, uncalibrated."));
 }
 
 /// A row of the answer's tables.
@@ -353,7 +368,21 @@ Warnings warnings_of(const ReportInput& input) {
 }
 
 Document answer(const ReportInput& input) {
-    return Document().heading("answer", input.words("Answer")).add(four_answers(input));
+    return Document().heading("answer", input.words("Answer")).add(four_answers(input)).small(what_it_is(input));
+}
+
+std::string answer_lines(const ReportInput& input) {
+    std::string lines;
+    for (const Answer& one : answers(input)) {
+        std::vector<std::string> parts{one.question + ": " + one.figure + ' ' + one.value + ' ' + one.unit};
+        if (!one.error.empty())
+            parts.push_back(one.error.starts_with("±")
+                                ? one.error
+                                : input.words.labelled(input.words("± by cell size"), one.error));
+        if (!one.where.empty()) parts.push_back(one.where);
+        lines += (lines.empty() ? "" : "\n  ") + joined(parts, "; ");
+    }
+    return lines + "\n  " + what_it_is(input);
 }
 
 Document scenario(const ReportInput& input) {
@@ -362,9 +391,7 @@ Document scenario(const ReportInput& input) {
         .add(scenario_table(input))
         .add(exposure_answer(input.facts.exposure, ReachedBy::the_flow, words))
         .add(comparison_answer(input.comparison, words))
-        .first_warnings(warnings_of(input), words)
-        .paragraph(words("Limitations") + ".",
-                   words("One run with one set of values; frana ensemble gives the range."));
+        .first_warnings(warnings_of(input), words);
 }
 
 }  // namespace frana::app

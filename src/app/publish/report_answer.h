@@ -27,9 +27,11 @@ std::vector<GaugeAnswer> gauge_answers(const ReportInput& input);
 /// Returns the run's warnings with the verdict on its accuracy, which is put together in one language, in the report's.
 Warnings warnings_of(const ReportInput& input);
 
-/// How far, how deep, how fast, how sure.
+/// How far, how deep, how fast, how sure, and in a sentence what the map is.
 Document answer(const ReportInput& input);
-/// What fails and moves how; exposure, comparison, warnings, limitations.
+/// The same for a terminal, a line each.
+std::string answer_lines(const ReportInput& input);
+/// What fails and moves how; exposure, comparison, warnings.
 Document scenario(const ReportInput& input);
 /// Further values with their estimated errors.
 Document answer_tables(const ReportInput& input);

@@ -100,9 +100,19 @@ TEST_F(Report, HasTheEstimateOfTheError) {
     EXPECT_NE(page_of("plain").find("<td class=\"soft\">no estimate</td>"), std::string::npos);
     EXPECT_EQ(page_of("plain").find("<td class=\"soft\">± "), std::string::npos);
     ASSERT_EQ(frana({"converge", "scene.ini", "--out", "result-convergence", "--quiet"}).exit_code, 0);
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result"});
+    ASSERT_EQ(outcome.exit_code, 0);
     const std::string page = page_of(), study = read_text(path("result-convergence/convergence.json"));
     const double error = json_number(study, "runout_m.estimated_error");
+    // The terminal ends with the same four, and with what the map is.
+    std::size_t line = outcome.err.find("frana: How far: Run-out ");
+    for (const std::string told : {" m; ± ", "\n  How deep: ", "\n  How fast: ", "\n  How sure: ", "cells of 5 m",
+                                   "One run with one set of values, the scene's own.", "frana: result in "}) {
+        ASSERT_NE(line, std::string::npos) << outcome.err;
+        line = outcome.err.find(told, line);
+    }
+    EXPECT_NE(line, std::string::npos) << outcome.err;
+    EXPECT_NE(page.find("One run with one set of values, the scene"), std::string::npos);
     char text[40];
     std::snprintf(text, sizeof text, "<td class=\"soft\">± %.2g", error);
     const std::size_t row = page.find("<td>Run-out</td>");
