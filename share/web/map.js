@@ -45,7 +45,8 @@ function cellsOf(raster) {
   return held.get(raster);
 }
 
-const map = L.map('map', { crs: L.CRS.Simple, attributionControl: false, zoomSnap: 0.25, zoomDelta: 0.5, minZoom: -12,
+const k_snap = 0.25;
+const map = L.map('map', { crs: L.CRS.Simple, attributionControl: false, zoomSnap: k_snap, zoomDelta: 0.5, minZoom: -12,
   maxZoom: Math.max(2, Math.log2(60 / grid.cell)), doubleClickZoom: false });
 const extent = [[0, 0], [grid.rows * grid.cell, grid.columns * grid.cell]];
 map.zoomControl.getContainer().querySelectorAll('a').forEach((link, i) => link.setAttribute('title', i ? words.out : words.in));
@@ -331,5 +332,26 @@ if (data.frames) {
     byId('play').setAttribute('aria-pressed', String(timer !== 0));
   });
 } else byId('time').hidden = true;
-window.addEventListener('beforeprint', () => { map.closePopup(); map.invalidateSize(false); map.fitBounds(extent, { animate: false }); });
+
+// ---- Paper
+
+/** The map in the middle of an A4 page that is turned as its ground is; what is beside it goes below. */
+const box = map.getContainer(), sheet = element('style'), isUpright = grid.rows > grid.columns;
+window.addEventListener('beforeprint', () => {
+  const [width, most] = isUpright ? [186, 190] : [273, 125], mm = 96 / 25.4;
+  sheet.textContent = `@page { size: A4 ${isUpright ? 'portrait' : 'landscape'}; }`;
+  document.head.append(sheet);
+  const height = Math.min(most, width * grid.rows / grid.columns);
+  Object.assign(box.style, { width: `${Math.min(width, height * grid.columns / grid.rows) * mm}px`, height: `${height * mm}px` });
+  map.closePopup();
+  map.options.zoomSnap = 0;
+  map.invalidateSize(false);
+  map.fitBounds(extent, { animate: false });
+});
+window.addEventListener('afterprint', () => {
+  Object.assign(box.style, { width: '', height: '' });
+  map.options.zoomSnap = k_snap;
+  map.invalidateSize(false);
+  map.fitBounds(extent, { animate: false });
+});
 showLayer();

@@ -238,5 +238,25 @@ TEST_F(MapPage, ShowsHostileNamesAsText) {
     EXPECT_NE(page["outlines"].get<std::string>().find("Anrissgebiet"), std::string::npos);
 }
 
+// On paper the ground fills the map, and the map the page that is turned as its ground is.
+TEST_F(MapPage, FillsAPageOnPaper) {
+    run("");
+    const Json told = seen(
+        "const before = map.getSize().x; window.dispatchEvent(new Event('beforeprint'));"
+        "const view = map.getBounds(), size = map.getSize();"
+        "seen = { across: extent[1][1] / (view.getEast() - view.getWest()), along: extent[1][0] / (view.getNorth() - "
+        "view.getSouth()), width: size.x * 25.4 / 96, height: size.y * 25.4 / 96, page: sheet.textContent, before };"
+        "window.dispatchEvent(new Event('afterprint')); seen.after = map.getSize().x;");
+    const bool upright = told.at("page").get<std::string>().find("portrait") != std::string::npos;
+    EXPECT_NEAR(told.at("across").get<double>(), 1, 0.02);
+    EXPECT_NEAR(told.at("along").get<double>(), 1, 0.02);
+    const double width = told.at("width"), height = told.at("height");
+    EXPECT_EQ(upright, width < height);
+    // 12 mm are the margins; legend and values need the rest of the height.
+    EXPECT_TRUE(std::abs(width - (upright ? 186 : 273)) < 1 || std::abs(height - (upright ? 190 : 125)) < 1)
+        << width << " x " << height;
+    EXPECT_EQ(told.at("before"), told.at("after"));
+}
+
 }  // namespace
 }  // namespace frana::test
