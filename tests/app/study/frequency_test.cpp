@@ -7,6 +7,7 @@
 #include <csignal>
 #include <nlohmann/json.hpp>
 
+#include "core/json.h"
 #include "study/tiny_study.h"
 
 namespace frana::test {
@@ -383,6 +384,11 @@ TEST_F(RegionFrequency, SameBitsForAnyNumberOfThreadsAndAfterAKill) {
     write_sources({{"a", "0.05", ""}, {"b", "0.02 +- 0.01", "", 25, 20}},
                   "samples = 16\n[vary]\nmaterial.friction-angle = uniform(12, 20)\n[set]\ntime.end = 20\n[columns]\n"
                   "frequency.rate = RATE\n");
+    const Json slopes = Json::parse(frana({"check", "region.ini", "--json"}).out).at("slopes");
+    EXPECT_EQ(slopes[0].at("annual_rate"), 0.05);
+    EXPECT_EQ(slopes[0].at("annual_rate_deviation"), 0);
+    EXPECT_EQ(slopes[1].at("annual_rate"), 0.02);
+    EXPECT_EQ(slopes[1].at("annual_rate_deviation"), 0.01);
     for (const std::string threads : {"1", "2"}) ASSERT_EQ(batch({"--threads", threads}, "out" + threads).exit_code, 0);
     {
         StartedProgram program(folder_.string(), {"batch", "region.ini", "--out", "out", "--threads", "2"});

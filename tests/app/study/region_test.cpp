@@ -60,14 +60,22 @@ class Region : public Ensemble {
         arguments.insert(arguments.end(), more.begin(), more.end());
         return frana(arguments);
     }
-    /// A point in the middle of every cell of the sixteenth row.
-    void write_houses() const {
+    /// A point in the middle of every cell of the sixteenth row, and, if asked, an area that all slopes reach.
+    void write_houses(bool with_area = false) const {
         std::string features;
         for (int column = 0; column < k_columns; ++column)
             features += std::string(column > 0 ? "," : "") +
                         R"({"type": "Feature", "properties": {}, "geometry": {"type": "Point", "coordinates": [)" +
                         std::to_string(k_west + (column + 0.5) * k_cell) + ", " + std::to_string(k_south + 72.5) +
                         "]}}";
+        std::string ring;
+        for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}})
+            ring += std::string(ring.empty() ? "[" : ", [") +
+                    std::to_string(k_west + 5 + x * (k_columns - 2) * k_cell) + ", " +
+                    std::to_string(k_south + 10 + y * 120.0) + "]";
+        if (with_area)
+            features += R"(,{"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [[)" +
+                        ring + "]]}}";
         write("houses.geojson",
               R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "EPSG:32632"}}, )"
               R"("features": [)" +
@@ -554,11 +562,30 @@ TEST_F(Region, DegreeOfHazardOverTheScenarios) {
                            "report = on\nexposure = houses.geojson\n[hazard]\nscheme = "
                            "own.ini\n");
     write_region("return-period = YEARS\n");
-    write_houses();
+    write_houses(true);
     const Outcome outcome = batch();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     expect_objects_as_maps({"often", "rare"});
     EXPECT_NE(read_text(path("out/report.html")).find("often: Intensity"), std::string::npos);
+    // Each object names all scenarios that lead to its degree, the most frequent first.
+    const int yellow_to_red[2][4] = {{0, 3, 4, 4}, {0, 2, 3, 4}};  // by intensity, at 30 and at 300 years
+    const gis::Table objects = gis::read_table(path("out/exposure.csv"), "exposure");
+    const auto value_of = [&](const std::vector<std::string>& row, const std::string& name) {
+        return row[static_cast<std::size_t>(std::find(objects.columns.begin(), objects.columns.end(), name) -
+                                            objects.columns.begin())];
+    };
+    std::set<std::string> named;
+    for (const auto& row : objects.rows) {
+        const int often_leads = yellow_to_red[0][std::stoi(value_of(row, "often_intensity"))],
+                  rare_leads = yellow_to_red[1][std::stoi(value_of(row, "rare_intensity"))];
+        const int worst = std::max(often_leads, rare_leads);
+        std::string expected = worst > 0 && often_leads == worst ? "often" : "";
+        if (worst > 0 && rare_leads == worst) expected += expected.empty() ? "rare" : ", rare";
+        EXPECT_EQ(value_of(row, "degree_scenario"), expected);
+        named.insert(expected);
+    }
+    EXPECT_TRUE(named.contains("often, rare")) << named.size();
+    EXPECT_GE(named.size(), 2U);
     const Raster degree = raster("out/hazard_degree.tif"), often = raster("out/scenario_max_depth_often.tif"),
                  rare = raster("out/scenario_max_depth_rare.tif");
     const int at_30[] = {0, 3, 4, 4}, at_300[] = {0, 2, 3, 4};  // none, weak, medium, strong; 2 yellow, 3 blue, 4 red
