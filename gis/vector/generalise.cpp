@@ -129,14 +129,26 @@ std::vector<MultiPolygon> generalised(const std::vector<MultiPolygon>& at_least,
     try {
         std::vector<Geometry> all;  // from the highest
         Geometry above(new OGRMultiPolygon);
+        double reached = 0;  // [m2] of the cells of the higher classes
         for (auto cells = at_least.rbegin(); cells != at_least.rend(); ++cells) {
             Parts parts;
             for (const Polygon& polygon : *cells) parts.push_back(to_ogr(polygon));
-            const Geometry shape = both(*drawn(*both(*together(parts), *above), least), *above);
-            Geometry zone = without(*shape, *above);
-            for (int pass = 0; pass < k_passes; ++pass) raise_slivers(zone, all, least);
-            above = Geometry(shape->clone());
+            const Geometry own = together(parts);
+            Geometry zone(new OGRMultiPolygon);
+            if (const double area = area_of(*own); area > reached + k_nothing) {  // else no cell has this class
+                reached = area;
+                zone = without(*drawn(*both(*own, *above), least), *above);
+                for (int pass = 0; pass < k_passes; ++pass) raise_slivers(zone, all, least);
+            }
             all.push_back(std::move(zone));
+            above = Geometry(new OGRMultiPolygon);
+            for (Geometry& one : all) {
+                // What stays small is left to the zone below, as small zones are that lie alone.
+                Parts large = parts_of(*one);
+                std::erase_if(large, [&](const auto& part) { return part->get_Area() < least.area; });
+                one = together(large);
+                above = both(*above, *one);
+            }
         }
         for (std::size_t i = 0; i < all.size(); ++i)
             for (const auto& part : parts_of(*all[i]))

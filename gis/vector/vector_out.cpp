@@ -305,6 +305,7 @@ const ExchangeFormat k_exchange_formats[] = {
 /// The texts of a placemark, or of an entity of a drawing, whose letters are those of Western Europe.
 Texts exchange_texts(const Zone& zone, bool is_drawing) {
     Texts texts = zone.feature.texts;
+    texts.erase("name");  // columns of a Shapefile differ in more than case
     texts["Name"] = zone.name;
     if (!is_drawing) return texts;
     char* const name = CPLRecode(zone.name.c_str(), CPL_ENC_UTF8, "CP1252");

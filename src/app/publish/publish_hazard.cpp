@@ -67,7 +67,7 @@ std::map<std::string, std::string> attributes_of(const HazardClass& kind, const 
             {"name", in(kind.name)},
             {"thresholds", in(kind.thresholds)},
             {"scheme", map.scheme.name},
-            {"source", map.source}};
+            {"source", in(map.source)}};
 }
 
 gis::OutlineLayer class_layer(const std::string& name, const ClassMap& map, const Words& words) {

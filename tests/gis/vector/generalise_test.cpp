@@ -89,6 +89,35 @@ TEST(Generalise, ZonesAreWideLargeValidAndBesideEachOther) {
     EXPECT_TRUE(contains(zones[2], {526000 + 30.5 * k_cell, 5094000 - 25.5 * k_cell}));
 }
 
+// Patches of three classes, one of them without a cell of its own in every third raster: no zone is smaller than the
+// least, none lies where its class is not, none over another.
+TEST(Generalise, NoZoneIsSmallOrOfAClassThatIsNotThere) {
+    const LeastZone least{200, 6, k_cell / 1.5};
+    std::uint32_t state = 1;
+    for (int trial = 0; trial < 12; ++trial) {
+        Raster all(k_grid, k_no_data);
+        for (int patch = 0; patch < 12; ++patch) {
+            const auto next = [&](std::uint32_t n) { return (state = state * 1664525U + 1013904223U) / 65536U % n; };
+            const std::int64_t row = next(50), column = next(60), high = 2 + next(14), wide = 2 + next(14);
+            const int kind = trial % 3 == 0 ? 2 + static_cast<int>(next(2)) : 1 + static_cast<int>(next(3));
+            for (std::int64_t r = row; r < std::min<std::int64_t>(50, row + high); ++r)
+                for (std::int64_t c = column; c < std::min<std::int64_t>(60, column + wide); ++c) all.at(r, c) = kind;
+        }
+        const std::vector<MultiPolygon> zones = generalised(at_least(all), least);
+        ASSERT_EQ(zones.size(), 3U);
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (const Polygon& part : zones[i]) {
+                EXPECT_GE(area(part), least.area) << trial << ' ' << i;
+                EXPECT_TRUE(to_ogr(part)->IsValid());
+            }
+            for (std::size_t j = 0; j < i; ++j) EXPECT_LT(shared_area(zones[i], zones[j]), 1e-5) << trial;
+        }
+        if (trial % 3 == 0) {
+            EXPECT_TRUE(zones[0].empty()) << trial << ": no cell is of this class";
+        }
+    }
+}
+
 TEST(Generalise, WithoutLimitsTheZonesAreTheCells) {
     const Raster all = classes();
     const std::vector<MultiPolygon> zones = generalised(at_least(all), {0, 0, 0});

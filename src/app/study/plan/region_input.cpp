@@ -392,8 +392,9 @@ std::vector<std::size_t> by_size(const std::vector<Slope>& slopes) {
         if (slopes[i].problem.empty()) sound.push_back(i);
     if (sound.empty())
         for (std::size_t i = 0; i < slopes.size(); ++i) sound.push_back(i);
-    std::stable_sort(sound.begin(), sound.end(),
-                     [&](std::size_t a, std::size_t b) { return slopes[a].area > slopes[b].area; });
+    // Of the events of one outline the rarest, which releases most.
+    const auto size = [&](std::size_t i) { return std::pair(slopes[i].area, slopes[i].return_period.value_or(0)); };
+    std::stable_sort(sound.begin(), sound.end(), [&](std::size_t a, std::size_t b) { return size(a) > size(b); });
     return sound;
 }
 

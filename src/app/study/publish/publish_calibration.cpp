@@ -373,7 +373,7 @@ void check_schemes(const StudyInput& input, const CalibrationRuns& runs, int thr
         std::fill_n(weights.begin(), event.searched, 0);
         auto& check = result.events[e].scheme_check = check_scheme(input.own[e], event.members, weights, threads);
         const std::string& name = input.spec().events[e].name;
-        if (const auto doubt = check ? warning_of(*check) : std::nullopt)
+        if (const auto doubt = check ? warning_of(*check, false) : std::nullopt)
             result.doubts.push_back({"scheme", name, "", 0, worded("{1}: {2}", {name, *doubt})});
     }
 }

@@ -326,7 +326,7 @@ StudyOutcome publish_study(StudyInput& input, std::size_t members, std::size_t c
         if (facts.scheme_check)
             for (const auto& [name, value] : rows_of(*facts.scheme_check))
                 log.info(worded("{1}: {2}", {name, value}).text());
-        if (const auto doubt = facts.scheme_check ? warning_of(*facts.scheme_check) : std::nullopt) {
+        if (const auto doubt = facts.scheme_check ? warning_of(*facts.scheme_check, is_region) : std::nullopt) {
             const Warning first{*doubt, true};
             log.tell({first});
             facts.warnings.insert(facts.warnings.begin(), first);

@@ -110,15 +110,15 @@ Sentence signed_percent(double fraction) {
 
 }  // namespace
 
-std::optional<Sentence> warning_of(const SchemeCheck& check) {
+std::optional<Sentence> warning_of(const SchemeCheck& check, bool is_region) {
     constexpr double k_alike = 0.1;  // of run-out or area
     double most = 0;
     for (const SchemeCheck::Member& one : check.members)
         if (one.failure.empty())
             for (const std::size_t figure : {0, 1}) most = std::fmax(most, std::abs(one.difference(figure)));
     if (check.scheme != word_of(Scheme::finite_volume, k_schemes) || most <= k_alike) return std::nullopt;
-    return worded("run-out or area differ {1} % from particles: take study.scheme = default",
-                  {numeral(number_text(100 * most, 2))});
+    return worded("run-out or area differ {1} % from particles: take {2} = default",
+                  {numeral(number_text(100 * most, 2)), std::string(is_region ? "region.scheme" : "study.scheme")});
 }
 
 std::vector<std::pair<Sentence, Sentence>> rows_of(const SchemeCheck& check) {

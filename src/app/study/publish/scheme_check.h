@@ -48,7 +48,7 @@ std::optional<SchemeCheck> check_scheme(const StudyInput& input, const std::vect
 /// Returns what the check says, a name and its value for each run; the first is the members' scheme.
 std::vector<std::pair<Sentence, Sentence>> rows_of(const SchemeCheck& check);
 /// The warning where members by finite volumes reach elsewhere than by particles; none for members by particles.
-std::optional<Sentence> warning_of(const SchemeCheck& check);
+std::optional<Sentence> warning_of(const SchemeCheck& check, bool is_region);
 Json check_json(const SchemeCheck& check);
 /// The name of the common scheme; null without one.
 Json scheme_json(const StudyInput& input);
