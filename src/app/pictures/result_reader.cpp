@@ -48,14 +48,16 @@ std::vector<gis::Feature> features_of(const std::string& gpkg, const std::string
     return all;
 }
 
-/// Whether a feature is reached by what a raster shows: 1, 0, NaN: nobody knows. A map of what is exceeded once in T
-/// years marks what is reached as often, that of a scenario what the scenario reaches.
+/// Whether a feature is reached by what a raster shows: 1, 0, NaN: nobody knows. A map of an event's rate marks where
+/// it happens. A map of what is exceeded once in T years marks what is reached as often, that of a scenario what the
+/// scenario reaches.
 double reached_on(const std::string& raster, const gis::Feature& feature) {
     const auto number = [&](const std::string& name) {
         const auto found = feature.numbers.find(name);
         return found == feature.numbers.end() ? k_no_data : found->second;
     };
-    const double any = number(k_reached);
+    const double any = number(k_reached), own = number(raster);
+    if (!std::isnan(own)) return static_cast<double>(own > 0);  // how often, or how likely, the raster's event is
     const ResultRaster* const row = find_result_raster(raster);
     if (row == nullptr || !row->by_value || !(any > 0)) return any;
     const std::string value = raster.substr(row->of_value("").size());

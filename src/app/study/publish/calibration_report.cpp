@@ -223,7 +223,8 @@ Table facts_table(const StudyInput& input, const CalibrationRuns& runs, const Ca
     for (std::size_t e = 0; e < input.events(); ++e) {
         const EventRuns& event = runs.events[e];
         cells.push_back(number(input.own[e].base.scene.grid.cell_size));
-        moves.push_back(number(100 * event.moves[0], 2) + ", " + number(100 * event.moves[1], 2));
+        const auto move = [&](double fraction) { return std::isnan(fraction) ? "–" : number(100 * fraction, 2); };
+        moves.push_back(move(event.moves[0]) + ", " + move(event.moves[1]));
         searched += event.searched;
         design += event.design;
     }

@@ -54,7 +54,8 @@ std::pair<double, double> fractiles(double mean, double deviation) {
     constexpr double k_certain = 1e-6;
     if (!(deviation > k_certain * mean)) return {mean, mean};
     const std::vector<double> both = openturns().quantiles({Law::gamma, {mean, deviation}, {}, {}, {}}, {0.05, 0.95});
-    return {both[0], both[1]};
+    constexpr double k_never = 1e-9;  // a year: rarer than anybody can tell
+    return {both[0] < k_never ? 0 : both[0], both[1]};
 }
 
 using Values = std::span<const float>;

@@ -125,6 +125,17 @@ std::optional<double> outline_bias(const EventRuns& runs, double widening) {
     return shifted->outside;
 }
 
+/// Whether no forecast run agrees as well as half of the search does: the posterior lies where the search hardly was.
+bool is_beside(const EventRuns& runs) {
+    std::vector<double> misfits;
+    for (const MemberAgreement& one : runs.agreements) misfits.push_back(std::isnan(one.misfit) ? 1 : one.misfit);
+    const auto forecast = misfits.begin() + static_cast<std::ptrdiff_t>(runs.searched);
+    if (forecast == misfits.end() || forecast == misfits.begin()) return false;
+    const double least = *std::min_element(forecast, misfits.end());
+    std::sort(misfits.begin(), forecast);
+    return least > misfits[runs.searched / 2];
+}
+
 /// Says what is doubtful of the search and the survey of an event.
 void judge(const StudyInput& input, const CalibrationRuns& runs, std::size_t e, std::vector<StudyDoubt>& doubts) {
     const std::string& name = input.spec().events[e].name;
@@ -142,6 +153,10 @@ void judge(const StudyInput& input, const CalibrationRuns& runs, std::size_t e, 
         doubts.push_back({"emulator", name, "", q2,
                           worded("{1}: runs tell little of others (Q2 {2}, under {3}): raise study.samples",
                                  {name, short_number(q2, 2), short_number(k_least_q2)})});
+    if (is_beside(event))
+        doubts.push_back(
+            {"beside", name, "", 0,
+             worded("{1}: forecast runs agree less than half of the search: raise study.samples", {name})});
     if (!event.has_settled())
         doubts.push_back(
             {"unsettled", name, "", event.moves[1],

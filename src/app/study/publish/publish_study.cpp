@@ -332,6 +332,17 @@ StudyOutcome publish_study(StudyInput& input, std::size_t members, std::size_t c
             facts.warnings.insert(facts.warnings.begin(), first);
             input.base.scene.warnings += Warnings{first};
         }
+        const auto is_unknown = [](const Source& source) { return !(source.rate.value > 0); };
+        if (const auto& all = result.rates;
+            all && std::any_of(all->sources().begin(), all->sources().end(), is_unknown)) {
+            const auto unknown = std::count_if(all->sources().begin(), all->sources().end(), is_unknown);
+            const Warning first{
+                worded("annual rates lack {1} slopes: their rates are unknown", {numeral(std::to_string(unknown))}),
+                true};
+            log.tell({first});
+            facts.warnings.insert(facts.warnings.begin(), first);
+            input.base.scene.warnings += Warnings{first};
+        }
         if (is_region && result.rates) {
             publish_sources(input, result, directory);
         } else if (is_region) {

@@ -136,7 +136,12 @@ std::optional<render::Chart> hazard_curve_chart(const ChartData& data, const std
         const std::size_t number = all.size() / 3;
         for (double HazardPoint::*line : {&HazardPoint::rate, &HazardPoint::low, &HazardPoint::high}) {
             render::ChartSeries& series = all.emplace_back();
-            for (const HazardPoint& point : curve.points) series.points.push_back({point.value, point.*line});
+            // Below a tenth of the least rate a fractile is next to never, and would make the axis of it.
+            double least = std::numeric_limits<double>::infinity();
+            for (const HazardPoint& point : curve.points)
+                if (point.rate > 0) least = std::min(least, 0.1 * point.rate);
+            for (const HazardPoint& point : curve.points)
+                series.points.push_back({point.value, point.*line < least ? k_no_data : point.*line});
             render::look_apart(series, number);
             if (line == &HazardPoint::rate) {
                 series.label = curve.place;
@@ -270,9 +275,16 @@ void publish_rates(const StudyInput& input, const StudyResult& result, const Res
         const RateMaps maps = writer.write_rates(result, events, periods);
         if (events.quantity != Quantity::depth || maps.rate.empty()) continue;
         facts.reached_threshold = events.thresholds.front();
-        for (const double years : periods)
-            facts.once_m2.push_back(
-                interval_at_least(maps.rate.front(), (1 - k_weight_rounding) / years, maps.margin.front()));
+        for (const double years : periods) {
+            const double once = (1 - k_weight_rounding) / years;
+            Interval& area =
+                facts.once_m2.emplace_back(interval_at_least(maps.rate.front(), once, maps.margin.front()));
+            // Open runs may reach every cell as often: then nobody knows how large the area is.
+            if (result.rates->has_open())
+                area.high = result.rates->bound({}, 0) >= once
+                                ? k_no_data
+                                : std::max(area.high, area_at_least(maps.upper.front(), once, maps.margin.front(), 0));
+        }
     }
     if (const auto curves = hazard_curves(input, result, true); !curves.empty())
         write_text_file(directory.path(k_hazard_curves), hazard_curves_csv(curves));

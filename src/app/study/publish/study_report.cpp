@@ -67,8 +67,10 @@ void add_scheme(const StudyFacts& facts, const Words& words, Table& table) {
 
 std::string area_text(const Interval& area, const Words& words) {
     const ReportNumbers number(words);
+    const std::string low = number.grouped(area.low);
     return number.grouped(area.value) +
-           " (95 %: " + words("{1} to {2}", {number.grouped(area.low), number.grouped(area.high)}) + ")";
+           " (95 %: " + (std::isnan(area.high) ? "≥ " + low : words("{1} to {2}", {low, number.grouped(area.high)})) +
+           ")";
 }
 
 /// Where the least depth threshold is exceeded with at least some probability.
@@ -85,6 +87,7 @@ void add_areas(const StudyFacts& facts, const Words& words, Table& table) {
 }
 
 std::string rate_text(const FrequencySpec::Rate& rate, const ReportNumbers& number) {
+    if (!(rate.value > 0)) return "?";  // its column cannot be read
     return number.of_any_size(rate.value) + (rate.deviation > 0 ? " ± " + number.of_any_size(rate.deviation) : "");
 }
 

@@ -153,7 +153,7 @@ Json frequency_json(const FrequencySpec& frequency, const AnnualRates& rates, co
         json["depth_threshold_m"] = facts.reached_threshold;
         for (const Interval& area : facts.once_m2) {
             json["area_exceeded_once_m2"].push_back(area.value);
-            json["area_exceeded_once_95_m2"].push_back({area.low, area.high});
+            json["area_exceeded_once_95_m2"].push_back({area.low, std::isnan(area.high) ? Json() : Json(area.high)});
         }
     }
     json["conditional_on"] = k_condition_with_rate;
