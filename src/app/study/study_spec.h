@@ -72,6 +72,8 @@ struct FrequencySpec {
     /// Both rise. The exceedance is a straight line in logarithms between them; all events above the last have its
     /// volume.
     std::optional<std::vector<Volume>> volumes;
+    /// Standard deviation of the exponent b by which the law of volumes falls, exceedance ~ V^-b; none: it is certain.
+    std::optional<double> exponent_error;
     std::optional<std::vector<double>> return_periods;  ///< that maps have [years]; none: 30, 100, 300
     bool by_columns = false;                            ///< of a region: each slope has its own rate or volumes
 

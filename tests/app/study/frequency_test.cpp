@@ -85,6 +85,38 @@ TEST_F(Frequency, RatesOfAPileAtRestAreThoseOfItsVolumes) {
     EXPECT_GE(compared, 3);
 }
 
+// Of a power law between limits the rate of a depth changes with the exponent in closed form.
+TEST_F(Frequency, AnUncertainLawOfVolumesWidensTheBand) {
+    constexpr double k_least = 2000, k_most = 16000, k_exponent = 1.2, k_error = 0.15, k_rate = 0.05;
+    write_dtm([](int, int column) { return 300 - 0.05 * column * k_cell; });
+    const auto band_of = [&](const std::string& more) {
+        write_study("samples = 256\n",
+                    "[set]\nmaterial.friction-angle = 45\ntime.end = 1\n[vary]\nrelease.volume = "
+                    "pareto(2000, 1.2, 16000)\n[frequency]\nrate = 0.05\n" +
+                        more);
+        const Outcome outcome = run({"--overwrite"});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return std::pair(band("out/annual_rate_depth_2", 1), band("out/annual_rate_depth_2", 2));
+    };
+    write("scene.ini", read_text(path("scene.ini")) + "depth-thresholds = 2\n");
+    const auto [rate, certain] = band_of("");
+    const auto [same, uncertain] = band_of("exponent-error = 0.15\n");
+    EXPECT_EQ(rate, same);
+    const auto above = [&](double exponent) {
+        const double v = 2 * k_release_area, to = std::pow(k_most, -exponent);
+        return k_rate * (std::pow(v, -exponent) - to) / (std::pow(k_least, -exponent) - to);
+    };
+    const double change = (above(k_exponent + 0.01) - above(k_exponent - 0.01)) / 0.02 * k_error;
+    int compared = 0;
+    for (std::size_t cell = 0; cell < rate.size(); ++cell) {
+        if (!(std::abs(rate[cell] / above(k_exponent) - 1) < 0.1)) continue;
+        const double added = std::sqrt(uncertain[cell] * uncertain[cell] - certain[cell] * certain[cell]) / 1.96;
+        EXPECT_NEAR(added / std::abs(change), 1, 0.05) << "the volumes are a sample of 256";
+        ++compared;
+    }
+    EXPECT_GT(compared, 20);
+}
+
 // A step of fragility breaks what a rate counts: the damage of a year is that rate times the value, with its band; a
 // log-normal curve is the sum of such steps over the hazard curve, which is known in closed form.
 TEST_F(Frequency, DamageOfAPileAtRestIsThatOfItsHazardCurve) {

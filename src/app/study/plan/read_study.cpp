@@ -484,13 +484,12 @@ void StudyReader::check_events() {
 /// Completes the frequency: volumes give the rate, and release.volume its distribution.
 void StudyReader::check_frequency() {
     const FrequencySpec& given = study_.frequency;
-    if (!given.is_given()) {
-        if (given.return_periods && !has_seen_any("frequency.rate") && !has_seen_any("frequency.volumes"))
-            add_problem({"has no effect without a frequency", where("frequency.return-periods"), "", "",
-                         "Give frequency.rate or frequency.volumes, or remove it"});
-        return;
-    }
-    if (!has_volumes()) return;
+    if (!given.is_given() && given.return_periods && !has_seen_any("frequency.rate") &&
+        !has_seen_any("frequency.volumes"))
+        add_problem({"has no effect without a frequency", where("frequency.return-periods"), "", "", "Remove it"});
+    if (given.is_given() && given.exponent_error && !has_volumes() && !has_seen("vary.release.volume"))
+        add_problem({"needs a law of volumes", where("frequency.exponent-error"), "", "", "Vary release.volume"});
+    if (!given.is_given() || !has_volumes()) return;
     const std::string name = given.volumes ? "frequency.volumes" : "columns.frequency.volumes";
     const std::string text = find_parameter(study_keys(study_.kind), "frequency.volumes")->write(study_).value_or("");
     StudySpec varied = study_;

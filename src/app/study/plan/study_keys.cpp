@@ -256,6 +256,11 @@ std::vector<StudyKey> keys_of(StudyKind kind) {
                                                                             {name_of(Keep::all), Keep::all}},
                                                        "Members whose scene and maps are written to members/."));
     for (const auto& key : {rate_key(), volumes_key(), return_periods_key()}) add({ensemble, region}, key);
+    add({ensemble, region},
+        declare::number<StudySpec>(
+            "frequency.exponent-error", FRANA_MEMBER(frequency.exponent_error), "", NumberRange{0, 2, true, false},
+            "Standard deviation of the exponent b by which the law of volumes falls: how often V "
+            "is exceeded is as V^-b. None: the law is certain."));
     add({region}, column_key("region.name", FRANA_MEMBER(name), "What each slope is called."));
     add({region},
         column_key("region.group", FRANA_MEMBER(group), "What each slope belongs to: a catchment, a commune."));

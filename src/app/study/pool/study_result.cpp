@@ -12,6 +12,7 @@
 #include "app/publish/publish.h"
 #include "app/study/pool/member_runs.h"
 #include "core/text.h"
+#include "params/grammar/value_text.h"
 #include "simulation/run_warnings.h"
 
 namespace frana::app::study {
@@ -137,6 +138,21 @@ void choose_design(const StudyInput& input, StudyResult& result) {
     result.points.are_dependent = !input.reading.study.correlate.empty() || are_correlated(result.points);
 }
 
+/// Source::sway: the weights of exceedances as V^-b change with b as -ln V, around its mean.
+std::vector<double> sway_of(const StudyInput& input, const StudyResult& result, const std::vector<std::size_t>& runs,
+                            const std::vector<double>& weights, double error) {
+    const auto& keys = input.table.keys;
+    const auto volume = static_cast<std::size_t>(std::find(keys.begin(), keys.end(), k_volume_key) - keys.begin());
+    std::vector<double> sway;
+    double mean = 0;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        sway.push_back(std::log(*number_from_text(input.table.values[result.members[runs[i]].member][volume])));
+        mean += weights[i] * sway.back();
+    }
+    for (std::size_t i = 0; i < runs.size(); ++i) sway[i] = error * weights[i] * (mean - sway[i]);
+    return sway;
+}
+
 /// The slopes of a region, or the only one of a study, with their runs.
 std::shared_ptr<const AnnualRates> rates_of(const StudyInput& input, const FinishedMembers& all,
                                             const StudyResult& result) {
@@ -157,6 +173,8 @@ std::shared_ptr<const AnnualRates> rates_of(const StudyInput& input, const Finis
         source.members = chosen(all, finished);
         source.shares = chosen(all, every).weights;
         source.first = first;
+        if (frequency.exponent_error)
+            source.sway = sway_of(input, result, finished, source.members.weights, *frequency.exponent_error);
         first += finished.size();
     }
     return std::make_shared<AnnualRates>(std::move(sources), !frequency.by_columns, result.open.is_open);

@@ -67,24 +67,30 @@ void AnnualRates::for_each_source(Hits hits, double threshold, const Visit& visi
     for (std::size_t begin = 0, end = 0; begin < hits.size(); begin = end) {
         const std::size_t source = source_of_[hits[begin].record];
         values.assign(sources_[source].members.size(), 0);
-        for (; end < hits.size() && source_of_[hits[end].record] == source; ++end)
-            values[hits[end].record - sources_[source].first] = hits[end].value;
-        visit(source, estimates_[source].probability(values, threshold));
+        const Source& own = sources_[source];
+        double change = 0;
+        for (; end < hits.size() && source_of_[hits[end].record] == source; ++end) {
+            const std::size_t member = hits[end].record - own.first;
+            values[member] = hits[end].value;
+            if (!own.sway.empty() && static_cast<double>(hits[end].value) > threshold) change += own.sway[member];
+        }
+        visit(source, estimates_[source].probability(values, threshold), change);
     }
 }
 
 template <class Each>
 AnnualRate AnnualRates::sum_of(const Each& each) const {
-    double value = 0, squares = 0, sum = 0, of_rates = 0;
-    each([&](std::size_t source, const Estimate& estimate) {
+    double value = 0, squares = 0, of_rates = 0, of_laws = 0, each_squared = 0;
+    each([&](std::size_t source, const Estimate& estimate, double change) {
         const FrequencySpec::Rate& rate = sources_[source].rate;
-        const double spread = k_normal * rate.deviation * estimate.value;
+        const double by_rate = k_normal * rate.deviation * estimate.value, by_law = k_normal * rate.value * change;
         value += rate.value * estimate.value;
         squares += squares_of(rate, estimate.margin);
-        sum += spread;
-        of_rates += square(spread);
+        of_rates += by_rate;
+        of_laws += by_law;
+        each_squared += square(by_rate) + square(by_law);
     });
-    return {value, std::sqrt(squares + (is_common_rate_ ? square(sum) : of_rates))};
+    return {value, std::sqrt(squares + (is_common_rate_ ? square(of_rates) + square(of_laws) : each_squared))};
 }
 
 AnnualRate AnnualRates::exceeded(Hits hits, double threshold) const {
@@ -98,7 +104,11 @@ AnnualRate AnnualRates::sum(std::span<const double> values, double most) const {
     return sum_of([&](const auto& visit) {
         for (std::size_t i = 0; i < sources_.size(); ++i) {
             const auto own = values.subspan(sources_[i].first, sources_[i].members.size());
-            if (std::any_of(own.begin(), own.end(), is_hit)) visit(i, estimates_[i].mean(own, most));
+            if (std::none_of(own.begin(), own.end(), is_hit)) continue;
+            double change = 0;
+            for (std::size_t member = 0; member < sources_[i].sway.size(); ++member)
+                change += sources_[i].sway[member] * own[member];
+            visit(i, estimates_[i].mean(own, most), change);
         }
     });
 }
@@ -112,7 +122,7 @@ double AnnualRates::bound_of_sum(std::span<const double> runs, double most) cons
 
 std::vector<double> AnnualRates::by_source(Hits hits, double threshold) const {
     std::vector<double> all(sources_.size());
-    for_each_source(hits, threshold, [&](std::size_t source, const Estimate& probability) {
+    for_each_source(hits, threshold, [&](std::size_t source, const Estimate& probability, double) {
         all[source] = sources_[source].rate.value * probability.value;
     });
     return all;

@@ -19,6 +19,9 @@ struct Source {
     FinishedMembers members;     ///< finished ones; weights with the sum 1
     std::size_t first = 0;       ///< place of the first of them among the finished members of all sources
     std::vector<double> shares;  ///< of all its runs, in their order: weights with the sum 1
+    /// By how much the weight of each of the members changes with one standard deviation of the exponent of the law of
+    /// volumes; the sum is 0. Empty: the law is certain.
+    std::vector<double> sway{};
 };
 
 /// The values of those members, or runs, that came to a place, in order of their places.
@@ -33,10 +36,11 @@ struct AnnualRate {
 ///
 /// Of sources i with the rates r_i, of standard deviation s_i, and the probabilities p_i of margin m_i (MeanEstimate)
 ///
-///     value = sum r_i p_i,    margin^2 = sum (r_i m_i)^2 + (1.96 s_i p_i)^2 + (s_i m_i)^2
+///     value = sum r_i p_i,    margin^2 = sum (r_i m_i)^2 + (1.96 s_i p_i)^2 + (s_i m_i)^2 + (1.96 r_i d_i)^2
 ///
-/// over the sources of which a run came to the place; for one rate of all, known no better for one than for the other,
-/// the second term is (sum 1.96 s_i p_i)^2. Where no run came the margin is the greatest that a source alone has.
+/// over the sources of which a run came to the place, d_i the change of p_i with one standard deviation of the law of
+/// volumes, to first order; for one rate and one law of all, known no better for one than for the other, the second and
+/// the last term are squares of sums. Where no run came the margin is the greatest that a source alone has.
 class AnnualRates {
   public:
     /// @param is_open of each run of all sources, in their order (OpenRuns)
@@ -68,10 +72,10 @@ class AnnualRates {
     [[nodiscard]] double bound_at(Hits runs, double rate) const;
 
   private:
-    /// Calls visit(source, probability) for the sources of the hits.
+    /// Calls visit(source, probability, its change with the law of volumes) for the sources of the hits.
     template <class Visit>
     void for_each_source(Hits hits, double threshold, const Visit& visit) const;
-    /// Sums up what each(visit) tells of the sources, by visit(source, estimate).
+    /// Sums up what each(visit) tells of the sources, by visit(source, estimate, change).
     template <class Each>
     [[nodiscard]] AnnualRate sum_of(const Each& each) const;
 
