@@ -29,7 +29,8 @@ std::string renamed(const std::string& name, const std::set<std::string>& taken)
 std::vector<ReachedFeature> deepest_of(const gis::FeatureLayer& layer, const std::vector<ExposureRow>& rows) {
     std::vector<ReachedFeature> reached;
     for (std::size_t i = 0; i < rows.size(); ++i)
-        if (rows[i].is_reached()) reached.push_back({layer.features[i].name, rows[i].numbers, rows[i].depth});
+        if (rows[i].is_reached())
+            reached.push_back({layer.features[i].name, rows[i].numbers, rows[i].texts, rows[i].depth});
     std::stable_sort(reached.begin(), reached.end(), [](const auto& a, const auto& b) { return a.depth > b.depth; });
     if (reached.size() > k_most_named) reached.resize(k_most_named);
     return reached;

@@ -16,7 +16,8 @@ namespace frana::app {
 /// A feature that is reached, as reports name it.
 struct ReachedFeature {
     std::string name;
-    std::vector<std::pair<std::string, double>> numbers;  ///< of its row
+    std::vector<std::pair<std::string, double>> numbers;     ///< of its row
+    std::vector<std::pair<std::string, std::string>> texts;  ///< of its row
     double depth = 0;
 };
 
@@ -38,8 +39,8 @@ struct ExposureTotals {
     bool is_least = false;                  ///< the full reach of the flow, or of some run, is not known
     std::vector<ReachedFeature> deepest{};  ///< the deepest first, k_most_named at most
     std::vector<DamageSum> damages{};
-    /// Titles and names of further numbers of a row that reports show.
-    std::vector<std::pair<std::string, std::string>> more_columns{};
+    /// Titles and names of further numbers or texts of a row that reports show; several in one column.
+    std::vector<std::pair<std::string, std::vector<std::string>>> more_columns{};
 };
 
 /// Features that a report names; exposure.csv has all.

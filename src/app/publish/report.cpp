@@ -166,7 +166,7 @@ Document exposure_section(const std::optional<ExposureTotals>& totals, const Wor
         if (value_of(totals->deepest.front(), column.key)) shown.push_back(column);
     std::vector<std::string> heads{words("Exposed features")};
     for (const ShownColumn& column : shown) heads.push_back(with_unit(words(column.title), column.unit));
-    for (const auto& [title, name] : totals->more_columns) heads.push_back(title);
+    for (const auto& [title, names] : totals->more_columns) heads.push_back(title);
     Table table(heads);
     for (const ReachedFeature& feature : totals->deepest) {
         std::vector<Cell> cells{valid_utf8(feature.name)};
@@ -174,13 +174,22 @@ Document exposure_section(const std::optional<ExposureTotals>& totals, const Wor
             const double value = column.factor * value_of(feature, column.key).value_or(k_no_data);
             cells.push_back(std::isnan(value) ? "" : words.number(number_text(value, column.digits)));
         }
-        const auto number = [&](const std::string& name) {
-            return words.number(number_text(value_of(feature, name).value_or(0), 2));
+        const auto told = [&](const std::string& name) {
+            const auto text = std::find_if(feature.texts.begin(), feature.texts.end(),
+                                           [&](const auto& one) { return one.first == name; });
+            return text != feature.texts.end() ? valid_utf8(text->second)
+                                               : words.number(number_text(value_of(feature, name).value_or(0), 2));
         };
-        for (const auto& [title, name] : totals->more_columns)
-            cells.push_back(number(name) + (value_of(feature, name + "_low")
-                                                ? " (" + number(name + "_low") + " – " + number(name + "_high") + ")"
-                                                : ""));
+        for (const auto& [title, names] : totals->more_columns) {
+            std::vector<std::string> parts;
+            for (const std::string& name : names) {
+                parts.push_back(told(name));
+                if (value_of(feature, name + "_low"))
+                    parts.back() += " (" + told(name + "_low") + " – " + told(name + "_high") + ")";
+                if (value_of(feature, name + "_upper")) parts.back() += " (≤ " + told(name + "_upper") + ")";
+            }
+            cells.push_back(joined(parts, "; "));
+        }
         table.row(cells);
     }
     const std::string all =

@@ -273,22 +273,36 @@ class Builder {
 
 /// What the report shows of each feature besides the greatest values: the classes of each scenario and the degree, or
 /// the rates.
-std::vector<std::pair<std::string, std::string>> shown_columns(const StudyInput& input, const StudyResult& result) {
+std::vector<std::pair<std::string, std::vector<std::string>>> shown_columns(const StudyInput& input,
+                                                                            const StudyResult& result) {
     const Words words = words_of(input.base.spec);
-    std::vector<std::pair<std::string, std::string>> all;
+    std::vector<std::pair<std::string, std::vector<std::string>>> all;
     const auto scheme = hazard_scheme_of(input.base.spec);
-    if (input.spec().region && input.spec().region->has_scenarios() && scheme)
-        for (const Scenario& one : scenarios_of(input))
-            all.emplace_back(one.name + ": " + words(scheme->heading), one.stem + "_intensity");
+    if (input.spec().region && input.spec().region->has_scenarios())
+        for (const Scenario& one : scenarios_of(input)) {
+            std::vector<std::string> titles, names;
+            if (scheme) {
+                titles.push_back(words(scheme->heading));
+                names.push_back(one.stem + "_intensity");
+            }
+            for (const auto& [raster, column] : {std::pair{RasterName::max_depth, "_max_depth_m"},
+                                                 {RasterName::max_velocity, "_max_velocity_ms"},
+                                                 {RasterName::max_pressure, "_max_pressure_kpa"}}) {
+                titles.push_back(find_result_raster(raster)->unit);
+                names.push_back(one.stem + column);
+            }
+            all.emplace_back(one.name + ": " + joined(titles, "; "), names);
+        }
     if (input.spec().region && input.spec().region->degrees)
-        all.emplace_back(words("Degree of hazard"), RasterName::hazard_degree);
+        all.emplace_back(words("Degree of hazard"),
+                         std::vector<std::string>{RasterName::hazard_degree, "degree_scenario", "degree_source"});
     if (!result.rates) return all;
     for (const MappedEvents& events : mapped_events(input.base.spec))
         for (const std::string& raster :
              events.quantity == Quantity::depth ? events.rasters : std::vector<std::string>{}) {
             const std::string name = rate_name(raster);
             const ResultRaster& row = *find_result_raster(name);
-            all.emplace_back(with_unit(raster_title(row, name, words), row.unit), name);
+            all.emplace_back(with_unit(raster_title(row, name, words), row.unit), std::vector{name});
         }
     return all;
 }
@@ -332,7 +346,8 @@ std::optional<ExposureTotals> publish_study_exposure(const StudyInput& input, co
     totals.is_least = result.open.any();
     totals.more_columns = shown_columns(input, result);
     totals.damages = std::move(builder.damages);
-    for (const DamageSum& one : totals.damages) totals.more_columns.emplace_back(one.title(words), one.name);
+    for (const DamageSum& one : totals.damages)
+        totals.more_columns.emplace_back(one.title(words), std::vector{one.name});
     return totals;
 }
 
