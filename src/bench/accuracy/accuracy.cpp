@@ -38,7 +38,6 @@ std::vector<AccuracyCase> accuracy_cases(const std::optional<Raster>& sample_ter
     cases.push_back(voellmy_plane());
     cases.push_back(bingham_slump());
     cases.push_back(sliding_block());
-    append(cases, steep_ground());
     cases.push_back(conservation());
     return cases;
 }
@@ -49,7 +48,6 @@ std::vector<AccuracyRow> run_accuracy(const AccuracyOptions& options) {
         const std::size_t levels =
             options.quick ? std::min<std::size_t>(2, one.cell_sizes.size()) : one.cell_sizes.size();
         for (const Scheme scheme : k_schemes) {
-            if (one.flies && scheme == Scheme::finite_volume) continue;
             for (std::size_t level = 0; level < levels; ++level) {
                 AccuracyRow row{one.name, scheme, one.run(one.cell_sizes[level], scheme), k_no_data};
                 if (level > 0 && !one.rounding)

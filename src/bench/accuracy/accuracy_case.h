@@ -46,7 +46,6 @@ struct AccuracyCase {
     std::vector<double> cell_sizes;  ///< from coarse to fine [m]
     bool rounding = false;           ///< the error is rounding: no order is expected
     std::function<CaseStatistics(double cell_size, Scheme scheme)> run;
-    bool flies = false;  ///< needs particles: not by finite volumes
 };
 
 /// Compares depth and momentum of a flow at the nodes with an exact solution at their positions (local metres), where
@@ -66,7 +65,6 @@ std::vector<AccuracyCase> thackers();
 AccuracyCase voellmy_plane();
 AccuracyCase bingham_slump();
 AccuracyCase sliding_block();
-std::vector<AccuracyCase> steep_ground();
 AccuracyCase conservation();
 
 }  // namespace frana::bench

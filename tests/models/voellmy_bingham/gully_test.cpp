@@ -120,8 +120,8 @@ double climbed(double dx, double down_deg, double up_deg) {
 
 class Surge : public testing::TestWithParam<std::tuple<double, double>> {};
 
-// Shocks take energy: the exact flow along the bed climbs to 0.93 to 0.98 of its fall (frana bench accuracy,
-// valley-surge). The error of the cells may give back some of that, but no more than 3 %: with the pressure of a level
+// Shocks take energy: the exact flow along the bed climbs to 0.93 to 0.98 of its fall. The error of the cells
+// may give back some of that, but no more than 3 %: with the pressure of a level
 // pool in the surge the climbs were up to 1.11.
 TEST_P(Surge, ClimbsNoHigherThanItFell) {
     const auto [down_deg, up_deg] = GetParam();
