@@ -21,115 +21,6 @@
 namespace frana::gis {
 namespace {
 
-/// A member of an object in a JSON text.
-struct JsonMember {
-    std::string text;     ///< its value as in the text
-    bool at_top = false;  ///< of the outermost object, or of each one if several follow each other
-};
-
-/// Finds the members of one name in JSON that is read in pieces and may be larger than the memory; those in objects
-/// under the member `besides` are ignored. It accepts text that GDAL reads and strict parsers refuse: NaN, texts that
-/// are not UTF-8, several documents in sequence.
-class JsonMembers {
-  public:
-    JsonMembers(std::string name, std::string besides) : name_(std::move(name)), besides_(std::move(besides)) {}
-
-    void read(const char* bytes, std::size_t count);
-    /// Without repetitions, in their order.
-    [[nodiscard]] const std::vector<JsonMember>& found() const noexcept { return found_; }
-
-  private:
-    void step(char c);
-    void open(char c);
-    void close();
-    void end_value();
-
-    struct Level {
-        bool is_object = false, expects_key = false;
-        bool left_out = false;
-        std::string key = {};
-    };
-
-    std::string name_, besides_;
-    std::vector<Level> levels_;
-    std::string string_;  ///< the latest
-    bool in_string_ = false, escaped_ = false;
-    bool reading_ = false;  ///< a value
-    std::size_t depth_of_text_ = 0;
-    std::string text_;
-    std::vector<JsonMember> found_;
-};
-
-constexpr std::size_t k_longest = 65536;  // of a stored key or value
-constexpr std::size_t k_most_members = 100;
-
-void JsonMembers::read(const char* bytes, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) step(bytes[i]);
-}
-
-void JsonMembers::step(char c) {
-    if (reading_ && !in_string_ && levels_.size() == depth_of_text_ && (c == ',' || c == '}')) end_value();
-    if (reading_ && text_.size() < k_longest) text_ += c;
-    if (in_string_) {
-        if (escaped_ || (c != '"' && c != '\\')) {
-            escaped_ = false;
-            if (string_.size() < k_longest) string_ += c;
-        } else if (c == '\\') {
-            escaped_ = true;
-        } else {
-            in_string_ = false;
-        }
-        return;
-    }
-    switch (c) {
-        case '"':
-            in_string_ = true;
-            string_.clear();
-            break;
-        case ':':
-            if (levels_.empty() || !levels_.back().expects_key) break;
-            levels_.back().key = string_;
-            levels_.back().expects_key = false;
-            if (!reading_ && !levels_.back().left_out && string_ == name_) {
-                reading_ = true;
-                depth_of_text_ = levels_.size();
-                text_.clear();
-            }
-            break;
-        case ',':
-            if (!levels_.empty()) levels_.back().expects_key = levels_.back().is_object;
-            break;
-        case '{':
-        case '[':
-            open(c);
-            break;
-        case '}':
-        case ']':
-            close();
-            break;
-        default:
-            break;
-    }
-}
-
-void JsonMembers::open(char c) {
-    const bool left_out = !levels_.empty() && (levels_.back().left_out || levels_.back().key == besides_);
-    levels_.push_back({c == '{', c == '{', left_out});
-}
-
-void JsonMembers::close() {
-    if (!levels_.empty()) levels_.pop_back();
-}
-
-void JsonMembers::end_value() {
-    reading_ = false;
-    const auto from = text_.find_first_not_of(" \t\r\n"), to = text_.find_last_not_of(" \t\r\n");
-    JsonMember member{from == std::string::npos ? "" : text_.substr(from, to - from + 1), depth_of_text_ == 1};
-    const auto same = [&](const JsonMember& one) { return one.text == member.text && one.at_top == member.at_top; };
-    if (found_.size() < k_most_members && std::none_of(found_.begin(), found_.end(), same))
-        found_.push_back(std::move(member));
-}
-
 std::string layer_names(GDALDataset& dataset) {
     std::string names;
     for (OGRLayer* layer : dataset.GetLayers()) {
@@ -290,29 +181,23 @@ void filter_features(OGRLayer& layer, const VectorSource& source, const std::str
 
 namespace {
 
-/// Returns the "crs" members outside attributes in those files of a data set that are text in braces.
-std::vector<JsonMember> crs_members(GDALDataset& dataset) {
-    std::vector<JsonMember> all;
-    char** const files = dataset.GetFileList();
-    for (int i = 0; files != nullptr && files[i] != nullptr; ++i) {
-        const std::unique_ptr<VSILFILE, int (*)(VSILFILE*)> file(VSIFOpenL(files[i], "rb"), &VSIFCloseL);
-        if (!file) continue;
-        JsonMembers members("crs", "properties");
-        std::vector<char> block(std::size_t{1} << 16);
-        bool is_json = true;
-        for (bool first = true; is_json; first = false) {
-            const std::size_t count = VSIFReadL(block.data(), 1, block.size(), file.get());
-            if (count == 0) break;
-            // Marks that may come first: of UTF-8, and of records in a sequence.
-            const std::string begin(block.data(), std::min<std::size_t>(count, 64));
-            const auto start = begin.find_first_not_of(" \t\r\n\xEF\xBB\xBF\x1E");
-            if (first) is_json = start == std::string::npos || begin[start] == '{';
-            if (is_json) members.read(block.data(), count);
-        }
-        all.insert(all.end(), members.found().begin(), members.found().end());
-    }
-    CSLDestroy(files);
-    return all;
+/// Returns the value of the "crs" that comes before the features and attributes of a GeoJSON file; empty: there is
+/// none.
+std::string crs_member(const std::string& path) {
+    constexpr std::size_t k_head = 65536;
+    const std::unique_ptr<VSILFILE, int (*)(VSILFILE*)> file(VSIFOpenL(path.c_str(), "rb"), &VSIFCloseL);
+    std::string head(k_head, ' ');
+    head.resize(file ? VSIFReadL(head.data(), 1, head.size(), file.get()) : 0);
+    const std::size_t key = head.find("\"crs\"");
+    for (const char* after : {"\"features\"", "\"properties\"", "\"geometry\""})
+        if (head.find(after) < key) return {};
+    const std::size_t from = key == std::string::npos ? key : head.find_first_not_of(" \t\r\n:", key + 5);
+    if (from == std::string::npos) return {};
+    std::size_t to = from;
+    for (int depth = 0; to < head.size() && (depth > 0 || (head[to] != ',' && head[to] != '}')); ++to)
+        depth += (head[to] == '{' ? 1 : 0) - (head[to] == '}' ? 1 : 0);
+    const std::size_t last = head.find_last_not_of(" \t\r\n", to - 1);
+    return head.substr(from, last + 1 - from);
 }
 
 /// Returns the CRS name that the member contains; none if its kind is unknown.
@@ -354,19 +239,14 @@ bool is_understood(const std::string& name, const OGRSpatialReference* layers, b
 std::string declared_crs(GDALDataset& dataset, OGRLayer& layer, const VectorSource& source, const std::string& key) {
     const OGRSpatialReference* const crs = layer.GetSpatialRef();
     const std::string driver = dataset.GetDriverName();
-    if (driver != "GeoJSON" && driver != "GeoJSONSeq" && driver != "OGR_VRT") return layer_crs(crs);
-    for (const JsonMember& member : crs_members(dataset)) {
-        if (member.text == "null") return {};  // GeoJSON's value for "unknown"
-        const bool at_top = member.at_top && driver != "GeoJSONSeq";
-        if (at_top && is_link(member.text)) continue;  // GDAL follows it, or it was refused
-        const auto name = name_in(member.text);
-        if (name && is_understood(*name, crs, at_top)) continue;
-        constexpr std::size_t k_printed = 200;
-        throw vector_error(source,
-                           at_top ? "the file's coordinate reference system is unknown"
-                                  : "a coordinate reference system within the file differs from the layer's",
-                           name.value_or(member.text.substr(0, k_printed)), crs_remedy(source, key));
-    }
+    const bool at_top = driver == "GeoJSON";  // OGR reads none of a sequence's
+    const std::string member = at_top || driver == "GeoJSONSeq" ? crs_member(source.file) : "";
+    if (member.empty() || (at_top && is_link(member))) return layer_crs(crs);  // GDAL follows a link, or it was refused
+    if (member == "null") return {};                                           // GeoJSON's value for "unknown"
+    const auto name = name_in(member);
+    if (!name || !is_understood(*name, crs, at_top))
+        throw vector_error(source, "the file's coordinate reference system is unknown", name.value_or(member),
+                           crs_remedy(source, key));
     return layer_crs(crs);
 }
 

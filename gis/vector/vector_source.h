@@ -62,8 +62,8 @@ void check_attribute_table(GDALDataset& dataset, OGRLayer& layer, const VectorSo
 void filter_features(OGRLayer& layer, const VectorSource& source, const std::string& condition);
 
 /// Returns the WKT2:2019 of a layer's CRS as declared by the file; "" if it declares none. GDAL interprets a GeoJSON
-/// with a "crs" that it does not understand, or that is not at the top, as degrees of WGS 84: Error(input) instead,
-/// with the name.
+/// with a "crs" that it does not understand as degrees of WGS 84: Error(input) instead, with the name, where it comes
+/// before the features.
 /// @param key of the scene that overrides the file's CRS; empty: there is none
 std::string declared_crs(GDALDataset& dataset, OGRLayer& layer, const VectorSource& source,
                          const std::string& key = {});

@@ -148,7 +148,6 @@ TEST(VectorFiles, ACrsThatIsNotUnderstoodIsRefused) {
     refused("EPSG:999999", R"(, "crs": {"type": "EPSG", "properties": {"code": 999999}})");
     refused("EPSG:32632", R"(, "crs": "EPSG:32632")");
     refused("swisstopo", R"(, "crs": {"type": "swisstopo", "properties": {"name": "EPSG:4326"}})");
-    refused("EPSG:4267", "", named("EPSG:4267"));  // of the feature alone
     refused("", R"(, "crs": null)");
     for (const std::string& top : {std::string(), named("urn:ogc:def:crs:OGC:1.3:CRS84"), named("EPSG:4326")}) {
         EXPECT_EQ(read(top).crs_label.substr(0, 9), "EPSG:4326");
