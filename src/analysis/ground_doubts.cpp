@@ -278,33 +278,32 @@ void find_seam(const Raster& ground, const Raster& path, double cell_size, bool 
     doubts.seam = seam;
 }
 
-/// Connected cells and the ground around them.
+/// Connected cells of one value and the ground around them.
 struct Patch {
     std::vector<std::size_t> cells;
-    std::int64_t around = 0, beyond = 0;  ///< neighbours outside; of these: higher, or lower, by more than the limit
+    std::int64_t around = 0, beyond = 0;  ///< neighbours outside; of these: higher by more than the limit
 };
 
-/// @param join greatest step within the patch [m]
-/// @param deep positive: its neighbours are higher by more; negative: lower [m]
-Patch patch_at(const Raster& ground, std::size_t start, double join, double deep, std::vector<char>& seen) {
+/// @param deep its neighbours are higher by more [m]
+Patch patch_at(const Raster& ground, std::size_t start, double deep, std::vector<char>& seen) {
     constexpr std::size_t k_most_cells = 20'000;
     Patch patch{{start}};
     seen[start] = 1;
+    const double value = ground.values[start];
     for (std::size_t i = 0; i < patch.cells.size() && patch.cells.size() < k_most_cells; ++i) {
         const auto at = static_cast<std::int64_t>(patch.cells[i]);
-        const double value = ground.values[patch.cells[i]];
         const std::int64_t row = at / ground.grid.columns, column = at % ground.grid.columns;
         for (const auto& [r, c] :
              {std::pair{row - 1, column}, {row + 1, column}, {row, column - 1}, {row, column + 1}}) {
             if (r < 0 || c < 0 || r >= ground.grid.rows || c >= ground.grid.columns) continue;
             const std::size_t cell = ground.index(r, c);
             const double step = ground.values[cell] - value;
-            if (std::abs(step) <= join) {
+            if (step == 0) {
                 if (!seen[cell]) patch.cells.push_back(cell);
                 seen[cell] = 1;
             } else if (!std::isnan(step)) {
                 ++patch.around;
-                patch.beyond += deep > 0 ? step > deep : step < deep;
+                patch.beyond += step > deep;
             }
         }
     }
@@ -320,7 +319,7 @@ void find_pits(const Raster& ground, const Path& path, double cell_size, GroundD
         const auto column = static_cast<std::int64_t>(cell) % ground.grid.columns;
         if (seen[cell] || column == 0) continue;
         if (!(ground.values[cell - 1] > ground.values[cell] + deep)) continue;
-        const Patch patch = patch_at(ground, cell, 0, deep, seen);
+        const Patch patch = patch_at(ground, cell, deep, seen);
         if (patch.cells.size() < 2) continue;  // a needle
         if (static_cast<double>(patch.beyond) < k_most_of_rim * static_cast<double>(patch.around)) continue;
         GroundDoubts::Pits& pits = by_value[ground.values[cell]];
@@ -332,32 +331,6 @@ void find_pits(const Raster& ground, const Path& path, double cell_size, GroundD
         pits.share = std::min(1.0, fraction(pits.cells, path.size()));
         doubts.pits = pits;
     }
-}
-
-/// Finds houses of a surface model: roofs above walls on all sides. Crags are fewer.
-void find_houses(const Raster& ground, const Path& path, double cell_size, GroundDoubts& doubts) {
-    constexpr double k_wall = 3, k_roof = 0.6, k_least_share = 0.005;  // [m], of a wall, of the path
-    constexpr double k_least_area = 60, k_most_area = 3000;            // [m2]
-    constexpr std::int64_t k_least = 3;
-    std::vector<char> seen(Runs::cells(ground));
-    GroundDoubts::Houses houses;
-    std::vector<double> heights;
-    std::int64_t covered = 0;
-    for (const std::size_t cell : path.cells()) {
-        const auto column = static_cast<std::int64_t>(cell) % ground.grid.columns;
-        const double height = column > 0 ? ground.values[cell] - ground.values[cell - 1] : 0;
-        if (seen[cell] || !(height > k_wall)) continue;
-        const Patch patch = patch_at(ground, cell, k_roof * k_wall, -k_wall, seen);
-        const double area = static_cast<double>(patch.cells.size()) * cell_size * cell_size;
-        if (patch.cells.size() < 4 || patch.beyond < patch.around || area < k_least_area || area > k_most_area)
-            continue;
-        covered += static_cast<std::int64_t>(patch.cells.size());
-        heights.push_back(height);
-        if (houses.count++ == 0) houses.place = centre_of(ground.grid, cell);
-    }
-    if (houses.count < k_least || fraction(covered, path.size()) < k_least_share) return;
-    houses.height = percentile(std::move(heights), 0.5);
-    doubts.houses = houses;
 }
 
 /// Height above or below what lies before and after it, of the line through the cell where this is least: 0 on crests
@@ -415,7 +388,6 @@ GroundDoubts ground_doubts(const Raster& ground, const Raster& path, double cell
     if (doubts.rough) doubts.dam.reset();  // of trees
     for (const bool along_rows : {true, false})
         if (!doubts.seam && !doubts.dam) find_seam(ground, path, cell_size, along_rows, doubts);
-    if (!doubts.rough) find_houses(ground, taken, cell_size, doubts);
     return doubts;
 }
 

@@ -39,12 +39,6 @@ struct GroundDoubts {
         double share = 0;   ///< of the flow's own path, the lowest part of the cells looked at
         Point place;        ///< of the highest
     };
-    /// Roofs of a surface model, in the flow's own path.
-    struct Houses {
-        double height = 0;       ///< of their walls, median [m]
-        std::int64_t count = 0;  ///< three at least
-        Point place;             ///< of the first
-    };
     /// A narrow dam across the path: a road or a bridge over what carries water.
     struct Dam {
         double height = 0;  ///< that water must rise [m]
@@ -55,7 +49,6 @@ struct GroundDoubts {
     std::optional<Seam> seam;
     std::optional<Pits> pits;
     std::optional<Rough> rough;
-    std::optional<Houses> houses;
     std::optional<Dam> dam;
 };
 

@@ -239,10 +239,6 @@ void tell(const GroundDoubts& doubts, const LookedAt& here, const Prepared& prep
     if (const auto& dam = doubts.dam)
         log.warn(worded("DTM {3}: dam of {1} m across the path ({2}): open culverts",
                         {numeral(number_text(dam->height, 2)), here.at(dam->place), file}));
-    if (const auto& houses = doubts.houses)
-        log.warn(worded(
-            "DTM {4}: {1} houses of {2} m ({3}): take bare ground",
-            {numeral(grouped(houses->count)), numeral(number_text(houses->height, 2)), here.at(houses->place), file}));
     if (const auto& rough = doubts.rough)
         log.warn(
             worded("DTM {4}: {1} % stands out {2} m ({3}): take bare ground",

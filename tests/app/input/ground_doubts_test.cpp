@@ -216,20 +216,6 @@ TEST_F(GroundDoubts, TreesAreSoughtWhereTheFlowComes) {
     EXPECT_EQ(doubts(), "");
 }
 
-TEST_F(GroundDoubts, HousesOfASurfaceModelAreTold) {
-    const auto with_houses = [](int count) -> Elevation {
-        return [count](double x, double y) {
-            const double i = std::floor((x - 650) / 60), in = x - 650 - 60 * i;  // a row of them down the path
-            const bool inside = i >= 0 && i < count && in < 20 && std::abs(y - 440) < 15;
-            return inside ? channel(650 + 60 * i, 450) + 14 - 0.2 * std::abs(y - 440) : channel(x, y);
-        };
-    };
-    write_grid("bed", 5, with_houses(5));
-    expect_words(doubts(), {"DTM bed.asc: 5 houses of ", "take bare ground"});
-    write_grid("bed", 5, with_houses(2));
-    EXPECT_EQ(doubts(), "");
-}
-
 // A road on a fill, whose culvert the model does not have: the flow stops behind it. A hump of the ground is none.
 TEST_F(GroundDoubts, ADamAcrossTheChannelIsTold) {
     write_grid("bed", 10, [&](double x, double y) { return channel(x, y) + (std::abs(x - 500) < 10 ? 12 : 0); });
