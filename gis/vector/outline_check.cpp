@@ -274,16 +274,4 @@ OutlineCheck check_outline(std::vector<std::unique_ptr<OGRPolygon>> polygons) {
     return found;
 }
 
-double shared_area(const MultiPolygon& one, const MultiPolygon& other) {
-    const Bounds a = bounds(one), b = bounds(other);
-    if (a.east <= b.west || b.east <= a.west || a.north <= b.south || b.north <= a.south) return 0;
-    const GdalSession session;
-    const std::unique_ptr<OGRGeometry> both(to_ogr(one)->Intersection(to_ogr(other).get()));
-    double area = 0;
-    if (both) {
-        for (const auto& polygon : polygon_parts(*both).polygons) area += polygon->get_Area();
-    }
-    return area;
-}
-
 }  // namespace frana::gis

@@ -52,7 +52,4 @@ struct OutlineCheck {
 /// that only touches itself is repaired, and so are parts that overlap (their union counts once).
 OutlineCheck check_outline(std::vector<std::unique_ptr<OGRPolygon>> polygons);
 
-/// Returns the area common to two outlines [their units squared]; 0 if they only touch.
-double shared_area(const MultiPolygon& one, const MultiPolygon& other);
-
 }  // namespace frana::gis

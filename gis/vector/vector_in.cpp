@@ -22,10 +22,6 @@ constexpr double k_bend_tolerance_degrees = 1e-8;  // the same on the ground
 
 constexpr const char* k_crs_key = "perimeter-crs";
 
-constexpr double k_overlap_fraction = 1e-3;  // smaller overlaps result from separate digitising of neighbours
-
-constexpr std::size_t k_most_overlaps = 1'000'000;  // beyond it the whole layer is wrong
-
 constexpr std::size_t k_most_problems = 10;  // a layer of lines would have one per feature
 
 /// Whether a layer can have areas: closed lines count, points do not.
@@ -179,61 +175,6 @@ void read_features(OGRLayer& layer, const VectorSource& source, bool keep_unusab
     if (n_areas == 0) throw vector_error(source, "the layer contains no polygon", layer.GetName(), "Draw at least one");
 }
 
-bool same_vertices(const MultiPolygon& a, const MultiPolygon& b) {
-    const auto same_ring = [](const Ring& one, const Ring& other) {
-        return std::equal(one.begin(), one.end(), other.begin(), other.end(),
-                          [](Point p, Point q) { return p.x == q.x && p.y == q.y; });
-    };
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const Polygon& one, const Polygon& other) {
-        return same_ring(one.outer, other.outer) &&
-               std::equal(one.holes.begin(), one.holes.end(), other.holes.begin(), other.holes.end(), same_ring);
-    });
-}
-
-/// Area common to two features: the caller decides what it means.
-bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const VectorSource& source, TimeLimit& limit,
-                      std::vector<Sentence>& warnings) {
-    std::vector<Bounds> boxes;
-    std::vector<double> areas;
-    for (const PolygonFeature& feature : features) {
-        boxes.push_back(bounds(feature.parts));
-        areas.push_back(area(feature.parts));
-    }
-    // From west to east, so that features far apart are not compared; reported in the layer's order.
-    std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < features.size(); ++i)
-        if (!features[i].parts.empty()) order.push_back(i);
-    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return boxes[a].west < boxes[b].west; });
-    struct Overlap {
-        std::size_t one, other;
-        double shared;
-    };
-    std::vector<Overlap> found;
-    for (std::size_t i = 0; i < order.size() && found.size() < k_most_overlaps; ++i) {
-        for (std::size_t j = i + 1; j < order.size() && boxes[order[j]].west < boxes[order[i]].east; ++j) {
-            const std::size_t one = std::min(order[i], order[j]), other = std::max(order[i], order[j]);
-            if (boxes[one].north <= boxes[other].south || boxes[other].north <= boxes[one].south) continue;
-            limit.again();
-            const MultiPolygon &a = features[one].parts, &b = features[other].parts;
-            const double shared = same_vertices(a, b) ? areas[one] : shared_area(a, b);
-            if (shared > k_overlap_fraction * std::min(areas[one], areas[other])) found.push_back({one, other, shared});
-            if (found.size() >= k_most_overlaps) break;
-        }
-    }
-    std::sort(found.begin(), found.end(), [](const Overlap& a, const Overlap& b) {
-        return a.one < b.one || (a.one == b.one && a.other < b.other);
-    });
-    CountedTexts counted;
-    for (const auto& [one, other, shared] : found) {
-        counted.add("overlap", worded("{1}: areas {2} and {3} overlap by {4} square units",
-                                      {source.where.text, std::to_string(one + 1), std::to_string(other + 1),
-                                       numeral(shortest_text(std::round(shared * 10) / 10))}));
-    }
-    for (Sentence& text : counted.texts()) warnings.push_back(std::move(text));
-    if (found.size() >= k_most_overlaps) warnings.back() = worded("{1}; {2}", {warnings.back(), std::string("...")});
-    return !found.empty();
-}
-
 }  // namespace
 
 PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt, const Place& where,
@@ -280,7 +221,6 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
                            error.problems().front().remedy);
     }
     read.bounds = bounds_of(read.features);
-    read.overlap = warn_of_overlaps(read.features, source, limit, read.warnings);
     return read;
 }
 

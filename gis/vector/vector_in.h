@@ -24,7 +24,6 @@ struct PolygonLayer {
     Bounds bounds;      ///< in the target CRS
     Bounds own_bounds;  ///< in the file's
     std::vector<Sentence> warnings;
-    bool overlap = false;  ///< features overlap
 };
 
 /// Options for reading a vector file; an empty text leaves the choice to the file.

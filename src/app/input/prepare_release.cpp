@@ -180,13 +180,25 @@ std::vector<ReleaseArea> areas_to_level(const SceneReading& reading, const gis::
     return areas;
 }
 
+/// Whether features share cells.
+bool overlap(const gis::PolygonLayer& layer, const GridSpec& grid) {
+    if (layer.features.size() < 2) return false;
+    Raster times(grid);
+    bool shared = false;
+    for (const PolygonFeature& feature : layer.features)
+        gis::visit_cells(feature.parts, grid, gis::Cover::centres, [&](std::int64_t row, std::int64_t column) {
+            shared = shared || ++times.at(row, column) > 1;
+        });
+    return shared;
+}
+
 /// Returns one area per feature with the same thickness raster; one for all if features overlap, so that common area
 /// counts once (then without attributes of their own: that is a problem).
 std::vector<ReleaseArea> areas_of_raster(const SceneReading& reading, const gis::PolygonLayer& layer,
                                          const Raster& thickness, Problems& problems) {
     std::vector<ReleaseArea> areas;
     const ReleaseSpec& spec = reading.scene.release;
-    if (layer.overlap) {
+    if (overlap(layer, thickness.grid)) {
         if (by_attribute(spec.start) || by_attribute(spec.velocity) || by_attribute(spec.direction) ||
             by_attribute(spec.volume)) {
             problems.add({"polygons with attributes of their own overlap on one thickness raster",

@@ -156,16 +156,6 @@ TEST(ReadPolygons, OverlappingPartsCountOnce) {
     EXPECT_EQ(layer.warnings.size(), 1U);
 }
 
-TEST(ReadPolygons, WarnsOfFeaturesThatOverlap) {
-    const Folder folder;
-    make_vector(folder.file("two.gpkg"), "GPKG", "EPSG:32632",
-                {"POLYGON((0 0,10 0,10 10,0 10,0 0))", "POLYGON((8 0,18 0,18 10,8 10,8 0))",
-                 "POLYGON((18 0,28 0,28 10,18 10,18 0))"});
-    const PolygonLayer layer = read_polygons(folder.file("two.gpkg"), utm(), k_where);
-    ASSERT_EQ(layer.warnings.size(), 1U) << "the third only touches the second";
-    EXPECT_NE(layer.warnings[0].text().find("areas 1 and 2 overlap by 20 "), std::string::npos);
-}
-
 TEST(ReadPolygons, NoCrsIsRefusedUnlessLocal) {
     const Folder folder;
     make_vector(folder.file("a.shp"), "ESRI Shapefile", "", {"POLYGON((0 0,0 10,10 10,10 0,0 0))"});
