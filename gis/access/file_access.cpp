@@ -9,11 +9,14 @@
 #include <gdal_priv.h>
 #include <ogr_srs_api.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
-#include <chrono>
-#include <condition_variable>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <map>
 #include <mutex>
@@ -170,95 +173,41 @@ ReadingOnly::~ReadingOnly() {
 
 namespace {
 
-constexpr std::int64_t k_first_report_ms = 3000, k_report_interval_ms = 10000;
+std::atomic<unsigned> limit_seconds = 0;  // 0: no limit
+std::atomic<int> limits = 0;
+char late_message[1024];  // what the handler may print: no memory is requested there
 
-std::int64_t now() {
-    using namespace std::chrono;
-    return duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
-}
-
-/// Exists until the process ends: its thread may wait longer than main.
-struct Watch {
-    std::mutex guard;
-    std::condition_variable changed;
-    std::vector<const TimeLimit*> limits;
-    std::int64_t limit_ms = 0;
-    void (*end)(const Problem&) = nullptr;
-    void (*warn)(const std::string&, double) = nullptr;
-    bool watching = false;
-};
-
-Watch& watch() {
-    static auto* const one = new Watch;
-    return *one;
-}
-
-void watch_over() {
-    Watch& w = watch();
-    std::unique_lock lock(w.guard);
-    std::int64_t reported = 0, next_report = 0;
-    for (;;) {
-        w.changed.wait(lock, [&] { return !w.limits.empty(); });
-        const auto next = *std::min_element(w.limits.begin(), w.limits.end(),
-                                            [](const auto* a, const auto* b) { return a->deadline() < b->deadline(); });
-        const std::int64_t time = now(), left = next->deadline() - time;
-        std::int64_t wait = left;
-        if (w.warn != nullptr) {
-            // The outermost is the file named by the user.
-            const TimeLimit& file = *w.limits.front();
-            if (file.begun() != reported) next_report = file.begun() + k_first_report_ms;
-            reported = file.begun();
-            if (time >= next_report) {
-                w.warn(file.where(), static_cast<double>(time - file.begun()) / 1000);
-                next_report = time + k_report_interval_ms;
-            }
-            wait = std::min(left, next_report - time);
-        }
-        if (left > 0) {
-            w.changed.wait_for(lock, std::chrono::milliseconds(wait));
-            continue;
-        }
-        w.end({"reading takes too long", next->where(), "",
-               shortest_text(static_cast<double>(w.limit_ms) / 1000) + " s without an answer from the library",
-               "Check the file (an endless view?), copy it to this machine, or allow more with FRANA_READ_SECONDS"});
-        return;
-    }
+void end_program(int) {
+    (void)!::write(STDERR_FILENO, late_message, std::strlen(late_message));
+    ::_exit(2);
 }
 
 }  // namespace
 
-TimeLimit::TimeLimit(Place where) : where_(std::move(where)), begun_(now()) {
-    Watch& w = watch();
-    const std::lock_guard lock(w.guard);
-    again();
-    if (w.end == nullptr) return;
-    w.limits.push_back(this);
-    if (!std::exchange(w.watching, true)) std::thread(watch_over).detach();
-    w.changed.notify_one();
+void limit_reading(unsigned seconds) {
+    limit_seconds = seconds;
+    std::signal(SIGALRM, end_program);
+}
+
+TimeLimit::TimeLimit(const Place& where) {
+    static std::mutex guard;
+    const std::lock_guard lock(guard);
+    const unsigned seconds = limit_seconds;
+    if (seconds == 0) return;
+    if (limits++ == 0)
+        std::snprintf(late_message, sizeof late_message,
+                      "frana: %s: reading takes too long: %u s without an answer from the library. Check the file (an "
+                      "endless view?), copy it to this machine, or allow more with FRANA_READ_SECONDS\n",
+                      where.text.c_str(), seconds);
+    ::alarm(seconds);
 }
 
 TimeLimit::~TimeLimit() {
-    Watch& w = watch();
-    const std::lock_guard lock(w.guard);
-    std::erase(w.limits, this);
-    w.changed.notify_one();
+    if (limit_seconds > 0 && --limits == 0) ::alarm(0);
 }
 
 void TimeLimit::again() noexcept {
-    deadline_ = now() + watch().limit_ms;
-}
-
-void when_time_is_up(double seconds, void (*end)(const Problem&)) {
-    Watch& w = watch();
-    const std::lock_guard lock(w.guard);
-    w.limit_ms = static_cast<std::int64_t>(1000 * seconds);
-    w.end = end;
-}
-
-void on_slow_reading(void (*warn)(const std::string& where, double seconds)) {
-    Watch& w = watch();
-    const std::lock_guard lock(w.guard);
-    w.warn = warn;
+    if (limit_seconds > 0) ::alarm(limit_seconds);
 }
 
 namespace {

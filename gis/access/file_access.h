@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <atomic>
-#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -61,37 +59,22 @@ class ReadingOnly {
     ReadingOnly& operator=(const ReadingOnly&) = delete;
 };
 
-/// Limits the time of the libraries' calls on a file during its lifetime: if a single call takes longer (a query in a
-/// database that never ends, a file that never arrives), `when_time_is_up` is called on another thread. No library can
-/// be interrupted, so that function ends the program.
+/// Limits the time of the libraries' calls on files: while one exists, a call that takes longer than the limit (a query
+/// in a database that never ends, a file that never arrives) ends the program with exit code 2, since no library can be
+/// interrupted. Of several at once, each that begins, and each call that returns, gives all the whole limit again.
 class TimeLimit {
   public:
-    /// `where` names key and file.
-    explicit TimeLimit(Place where);
+    /// `where` names key and file; the outermost is told.
+    explicit TimeLimit(const Place& where);
     ~TimeLimit();
     TimeLimit(const TimeLimit&) = delete;
     TimeLimit& operator=(const TimeLimit&) = delete;
-
-    /// Called after a call returned: the next one has the whole limit again.
+    /// Called after a call returned.
     void again() noexcept;
-
-    /// For the watching thread only.
-    [[nodiscard]] std::int64_t begun() const noexcept { return begun_; }
-    [[nodiscard]] std::int64_t deadline() const noexcept { return deadline_; }
-    [[nodiscard]] const std::string& where() const noexcept { return where_; }
-
-  private:
-    Place where_;
-    std::int64_t begun_;                  ///< as the deadline
-    std::atomic<std::int64_t> deadline_;  ///< [ms] of the steady clock
 };
 
-/// Sets the function called then, once, before files are read; without it there is no limit. `seconds` per call.
-void when_time_is_up(double seconds, void (*end)(const Problem&));
-
-/// Sets the function that reports a file on which the libraries have spent some seconds, every ten seconds: its `where`
-/// and the duration. Must be set before the other.
-void on_slow_reading(void (*warn)(const std::string& where, double seconds));
+/// Sets the limit [s], once, before files are read; without it there is none.
+void limit_reading(unsigned seconds);
 
 /// Returns whether GDAL may read over the network (URLs, /vsicurl/, databases, map services); see allow_network().
 [[nodiscard]] bool network_allowed();

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <boost/version.hpp>
 #include <cerrno>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -81,28 +82,16 @@ double seconds_to_read() {
     return *seconds;
 }
 
-void print_reading(const std::string& where, double seconds) {
-    std::cerr << "frana: reading " + where + ", " + number_text(seconds, 2) + " s so far\n";
-}
-
-/// The reading thread cannot be interrupted: the program ends here, before anything was computed.
-void end_program(const Problem& problem) {
-    std::cerr << "frana: " << describe(problem) << std::endl;
-    ::_exit(static_cast<int>(ExitCode::input));
-}
-
 /// Protects the process beyond the filters of gis, for libraries that do not use GDAL: environment variables that would
 /// allow a file to do more than contain data are cleared, and unless the network is allowed the kernel refuses this
 /// process sockets to other machines (where supported; otherwise silently without).
-/// A file that needs long to be read is reported on a terminal unless `quiet`; one that exceeds a limit ends the
-/// program. Must be called before any thread starts.
-void guard_process(bool network, bool quiet) {
+/// A file that needs too long to be read ends the program. Must be called before any thread starts.
+void guard_process(bool network) {
     // SpatiaLite's functions could otherwise read and write files, from a view in a database from others.
     ::unsetenv("SPATIALITE_SECURITY");
     // Ranks exchange messages by such sockets; what opens inputs still refuses the network.
     if (!network && !study::started_as_rank()) forbid_internet_sockets();
-    if (!quiet && ::isatty(STDERR_FILENO) == 1) gis::on_slow_reading(print_reading);
-    gis::when_time_is_up(seconds_to_read(), end_program);
+    gis::limit_reading(static_cast<unsigned>(std::ceil(seconds_to_read())));
 }
 
 }  // namespace
@@ -151,9 +140,7 @@ int run_program(const Arguments& arguments, int (*run)(Arguments)) {
         Arguments words = arguments;
         // Only the user who starts the program can allow it, never a scene.
         const bool network = std::erase(words, "--allow-network") > 0;
-        const bool quiet = std::any_of(words.begin(), words.end(),
-                                       [](const std::string& word) { return word == "--quiet" || word == "-q"; });
-        guard_process(network, quiet);
+        guard_process(network);
         if (network) gis::allow_network();
         const int code = run(std::move(words));
         if (const auto warning = letter_warning()) std::cerr << "frana: warning: " << warning->text() << '\n';
