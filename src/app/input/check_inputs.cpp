@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -363,65 +362,6 @@ void warn_of_release(const Scene& scene, RunLog& log) {
     for (const Entry& entry : release.later) particles += entry.particles.size();
     log.warn_all(
         release_warnings(scene, release.bed, release.depth, release.areas, static_cast<std::int64_t>(particles)));
-}
-
-namespace {
-
-/// Mean gradient of the ground at places of the map.
-Point mean_gradient(const Scene& scene, const std::vector<Point>& places) {
-    Point sum;
-    for (const Point place : places) {
-        const Point here = gradient(scene.terrain, cell_of(scene.grid, scene.grid.local_from_map(place)));
-        sum = {sum.x + here.x, sum.y + here.y};
-    }
-    const double count = std::max(1.0, static_cast<double>(places.size()));
-    return {sum.x / count, sum.y / count};
-}
-
-double along(Point vector, Point direction) {
-    return vector.x * direction.x + vector.y * direction.y;
-}
-
-/// Warns of a direction against the slope.
-void question_direction(const char* key, const std::optional<double>& azimuth, Point gradient, RunLog& log) {
-    constexpr double k_steep = 0.05, k_against = 0.5, k_degrees = 180 / std::numbers::pi;
-    const double steep = std::hypot(gradient.x, gradient.y);
-    if (!azimuth || !(steep > k_steep)) return;
-    if (along(gradient, {std::sin(*azimuth), std::cos(*azimuth)}) < k_against * steep) return;
-    log.warn(worded("{1} = {2} goes uphill: the ground falls towards {3} degrees",
-                    {key, numeral(number_text(*azimuth * k_degrees, 3)),
-                     numeral(number_text(std::fmod(std::atan2(-gradient.x, -gradient.y) * k_degrees + 360, 360), 3))}));
-}
-
-}  // namespace
-
-void warn_of_directions(const Scene& scene, RunLog& log) {
-    constexpr double k_steep = 0.1, k_along = 2;
-    for (const ReleaseArea& one : scene.release) {
-        std::vector<Point> places;
-        if (!(one.speed > 0) || !one.azimuth) continue;
-        gis::visit_cells(one.outline, scene.grid, gis::Cover::centres, [&](std::int64_t row, std::int64_t column) {
-            places.push_back(scene.grid.cell_centre(row, column));
-        });
-        question_direction("release.direction", one.azimuth, mean_gradient(scene, places), log);
-    }
-    for (const Inflow& inflow : scene.inflows) {
-        std::vector<Point> places;
-        for (std::size_t i = 1; i < inflow.line.size(); ++i) {
-            const Point a = inflow.line[i - 1], b = inflow.line[i];
-            const double count = std::ceil(std::hypot(b.x - a.x, b.y - a.y) / scene.grid.cell_size);
-            for (double k = 0.5; k < count; ++k)
-                places.push_back({a.x + k / count * (b.x - a.x), a.y + k / count * (b.y - a.y)});
-        }
-        const Point ground = mean_gradient(scene, places), a = inflow.line.front(), b = inflow.line.back();
-        question_direction("inflow.direction", inflow.azimuth, ground, log);
-        const double length = std::hypot(b.x - a.x, b.y - a.y);
-        const double fall = std::abs(along(ground, {b.x - a.x, b.y - a.y})) / length,
-                     across = std::abs(along(ground, {a.y - b.y, b.x - a.x})) / length;
-        if (!inflow.azimuth && fall > k_steep && fall > k_along * across)
-            log.warn(
-                worded("inflow.line descends {1} %: draw it across the flow", {numeral(number_text(100 * fall, 2))}));
-    }
 }
 
 namespace {

@@ -39,9 +39,6 @@ void question_outline(const MultiPolygon& released, const MultiPolygon& outline,
 /// cells.
 void warn_of_release(const Scene& scene, RunLog& log);
 
-/// Warns of a release or an inflow that starts uphill, and of an inflow's line that lies along its flow.
-void warn_of_directions(const Scene& scene, RunLog& log);
-
 /// The ground from which something is released [m2]: a thickness raster may fill a part of its outline only.
 double released_area(const Scene& scene);
 

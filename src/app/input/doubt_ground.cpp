@@ -179,35 +179,6 @@ void tell_of_unit(const LookedAt& working, const Prepared& prepared, RunLog& log
                     {last_part(file.path), numeral(number_text(median, 2)), numeral(number_text(in_feet, 2))}));
 }
 
-/// Slopes in degrees given as elevations: peaks and pits of over 1 degree in 2.5 to 7 % of the cells of slopes of five
-/// real models; of the models' own, which are rarely all within 0 to 90 m, in at most 2 %.
-bool are_slopes(const Raster& ground) {
-    constexpr double k_right_angle = 90, k_uneven = 1, k_share = 0.022;
-    constexpr std::int64_t k_enough = 1000;
-    std::int64_t cells = 0, peaks = 0, pits = 0;
-    for (std::int64_t row = 1; row + 1 < ground.grid.rows; ++row) {
-        for (std::int64_t column = 1; column + 1 < ground.grid.columns; ++column) {
-            const double here = ground.at(row, column);
-            if (here < 0 || here > k_right_angle) return false;
-            double lowest = HUGE_VAL, highest = -HUGE_VAL, sum = -here;
-            for (std::int64_t r = row - 1; r <= row + 1; ++r) {
-                for (std::int64_t c = column - 1; c <= column + 1; ++c) {
-                    const double beside = ground.at(r, c);
-                    sum += beside;
-                    if (r == row && c == column) continue;
-                    lowest = std::min(lowest, beside);
-                    highest = std::max(highest, beside);
-                }
-            }
-            if (std::isnan(sum)) continue;
-            ++cells;
-            peaks += here > std::max(highest, sum / 8 + k_uneven) ? 1 : 0;
-            pits += here < std::min(lowest, sum / 8 - k_uneven) ? 1 : 0;
-        }
-    }
-    return cells >= k_enough && static_cast<double>(std::min(peaks, pits)) > k_share * static_cast<double>(cells);
-}
-
 void tell(const GroundDoubts& doubts, const LookedAt& here, const Prepared& prepared, RunLog& log) {
     const double working = prepared.scene.grid.cell_size;
     const std::string file = last_part(prepared.ground.file.path);
@@ -257,13 +228,6 @@ void doubt_ground(const SceneReading& reading, Prepared& prepared, RunLog& log) 
     const gis::CrsTransform to_working(own_crs, grid.crs_wkt, prepared.ground.file.bounds);
     const std::optional<LookedAt> own = on_own_cells(reading, prepared, working, to_working);
     const LookedAt& here = own ? *own : working;
-    if (are_slopes(working.ground())) {
-        log.warn({worded("DTM {1} has 0 to 90, as uneven as slopes: take elevations",
-                         {last_part(prepared.ground.file.path)}),
-                  true});
-        prepared.scene.warnings += log.take_warnings();
-        return;
-    }
     tell_of_unit(working, prepared, log);
     tell(ground_doubts(here.ground(), here.path, here.cell_size), here, prepared, log);
     prepared.scene.warnings += log.take_warnings();

@@ -232,7 +232,6 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     problems.throw_if_any();
     if (prepared.friction) log.note("friction table: " + friction_text(prepared.friction->choice()).text());
     refuse_what_cannot_start(prepared.scene);
-    warn_of_directions(prepared.scene, log);
     check_ground_read(reading, *ground, prepared.scene.terrain, log);
     release.ground = ground_of_release(prepared.scene);
     if (release.ground) {

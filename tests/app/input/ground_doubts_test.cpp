@@ -241,20 +241,6 @@ TEST_F(GroundDoubts, AHillshadeIsTold) {
     expect_words(doubts({"terrain.dtm=bytes.vrt"}), {"DTM bytes.vrt has values 0 to 255", "hillshade"});
 }
 
-TEST_F(GroundDoubts, ARasterOfSlopesIsTold) {
-    std::mt19937 generator(1);
-    std::normal_distribution<double> chance(0, 1);
-    const auto slopes = [&](double uneven) -> Elevation {
-        return [&, uneven](double x, double y) {
-            return std::clamp(30 + 20 * std::sin(x / 150) * std::cos(y / 110) + uneven * chance(generator), 0.0, 90.0);
-        };
-    };
-    write_grid("bed", 10, slopes(4));
-    EXPECT_EQ(doubts(), "DTM bed.asc has 0 to 90, as uneven as slopes: take elevations\n");
-    write_grid("bed", 10, slopes(0.05));  // low ground with the noise of a survey
-    EXPECT_EQ(doubts().find("as uneven as slopes"), std::string::npos);
-}
-
 // A warning that comes without a fault is none.
 TEST_F(GroundDoubts, GoodGroundIsNotDoubted) {
     const auto lakes = [](double x, double y) {
