@@ -49,27 +49,6 @@ void refuse_foreign(const fs::path& target) {
                                                 "Move it away or choose another --profile"});
 }
 
-void copy_plugin(const fs::path& source, const fs::path& to) {
-    std::error_code error;
-    fs::create_directories(to, error);
-    if (error) fail("cannot be made", to, error);
-    fs::directory_iterator entries(source, error);
-    for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
-        const fs::path name = entries->path().filename();
-        if (name == "__pycache__") continue;
-        if (entries->is_directory()) {
-            copy_plugin(entries->path(), to / name);
-            continue;
-        }
-        std::error_code unknown;
-        const std::string bytes = read_text_file(entries->path().string());
-        if (bytes.size() != fs::file_size(entries->path(), unknown))
-            fail("cannot be read", entries->path(), unknown ? unknown : std::make_error_code(std::errc::io_error));
-        write_file((to / name).string(), bytes, Sync::yes);
-    }
-    if (error) fail("cannot be read", source, error);
-}
-
 void move(const fs::path& from, const fs::path& to) {
     std::error_code error;
     fs::rename(from, to, error);
@@ -96,30 +75,32 @@ std::string qgis_profile(const std::string& name) {
     return (data / "QGIS" / "QGIS3" / "profiles" / name).string();
 }
 
-/// Copies the plugin from `source` to `target`, whose folder exists, and notes the path of `program` in it. A plugin
-/// that is there is replaced whole or not at all; only frana's is. `working`: a folder for the copy that is being made,
-/// on the same file system, removed at the end. Throws Error(environment).
+/// Copies the plugin from `source` to `target`, whose folder exists, and notes the path of `program` in it; only a
+/// plugin of frana's is replaced. `working`: a folder for the copy that is being made, on the same file system, removed
+/// at the end. Throws Error(environment).
 void install_plugin(const std::string& source, const std::string& target, const std::string& working,
                     const std::string& program) {
     refuse_foreign(target);
     remove_folder(working);  // of an installation that was killed
     try {
-        copy_plugin(source, working);
+        std::error_code error;
+        fs::create_directories(working, error);
+        if (error) fail("cannot be made", working, error);
+        for (fs::recursive_directory_iterator one(source, error), end; !error && one != end; one.increment(error)) {
+            const fs::path to = working / one->path().lexically_relative(source);
+            if (one->is_directory())
+                fs::create_directory(to, error);
+            else
+                fs::copy_file(one->path(), to, error);
+            if (error) fail("cannot be copied", one->path(), error);
+        }
+        if (error) fail("cannot be read", source, error);
         write_file((fs::path(working) / "program.txt").string(), program + '\n', Sync::yes);
-        if (!is_there(target)) {
+        const bool is_replaced =
+            is_there(target) && ::renameat2(AT_FDCWD, working.c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE) == 0;
+        if (!is_replaced) {  // a first one, or a file system without this operation
+            remove_folder(target);
             move(working, target);
-        } else if (::renameat2(AT_FDCWD, working.c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE) != 0) {
-            // Not supported by the file system.
-            const std::string older = working + ".old";
-            remove_folder(older);
-            move(target, older);
-            std::error_code error, ignored;
-            fs::rename(working, target, error);
-            if (error) {
-                fs::rename(older, target, ignored);
-                fail("cannot take its name", target, error);
-            }
-            remove_folder(older);
         }
     } catch (const Error&) {
         std::error_code ignored;
