@@ -266,7 +266,7 @@ class FRANA_API Frame {
     std::shared_ptr<const Data> data_;
 };
 
-/// A run, frame by frame: at the start, at every time.frame-interval, at the end.
+/// A run, frame by frame: at the start, at every frame, at the end.
 ///
 ///     frana::Run run(scene);
 ///     while (const auto frame = run.next()) use(*frame);

@@ -514,7 +514,7 @@ void add_results(py::module_& module) {
                 if (!frame) throw py::stop_iteration();
                 return *frame;
             },
-            "Computes up to the next frame: at the start, at every time.frame-interval, at the end.")
+            "Computes up to the next frame: at the start, at every frame, at the end.")
         .def_property_readonly("time", &PythonRun::time, "simulated time so far [s]")
         .def("result", &PythonRun::result, "Computes what is left, and returns the result.");
 }

@@ -80,7 +80,7 @@ using SaveState = std::function<void(StateWriter&)>;
 
 struct RunOptions {
     int threads = 1;
-    std::function<void(Frame)> on_frame;  ///< called at time 0, at every frame interval and at the end
+    std::function<void(Frame)> on_frame;  ///< called at time 0, at every frame and at the end
     bool particles_in_frames = false;
     std::function<void(const Progress&)> on_progress;   ///< called every step; must be fast
     std::function<bool()> stop_requested;               ///< polled every step

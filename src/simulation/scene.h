@@ -63,7 +63,7 @@ struct TimeControl : TimeValues {
     /// four times this fraction of the volume has moved to other cells; 0: never.
     double stop_change = 0;
     double trace_threshold = k_trace_threshold;  ///< depth from which a cell belongs to that area [m]
-    double frame_interval = 0;                   ///< [s]; 0: no frames
+    double frame_interval = 0;                   ///< [s]; 0: no frames; infinite: by the motion
 };
 
 /// What a raster of thicknesses contains [m3].

@@ -291,7 +291,11 @@ SteppedRun::SteppedRun(const Scene& scene, const RunOptions& options)
 void SteppedRun::write_frame_now() {
     if (!options_.on_frame || scene_.time.frame_interval <= 0) return;
     const double interval = scene_.time.frame_interval;
-    next_frame_ = interval * (std::floor(model_->time() / interval * (1 + 1e-12)) + 1);
+    // Steps of a cell at first, wider as the root of the distance: a slide of a few cells and a flow of kilometres both
+    // have some dozen frames.
+    const double cell = scene_.grid.cell_size;
+    next_frame_ = follows_motion() ? moved_ + std::max(cell, 0.5 * std::sqrt(cell * moved_))
+                                   : interval * (std::floor(model_->time() / interval * (1 + 1e-12)) + 1);
     last_frame_ = model_->time();
     engine_.stop();
     Frame arrived = store_frame(*model_, frames_++, options_.particles_in_frames);
@@ -403,7 +407,9 @@ void SteppedRun::advance() {
     // A run that ends here records its last frame in finish(); a paused run must have the frames of an uninterrupted
     // one.
     const bool pauses = stopped_ && result_.stop_reason == StopReason::requested && model_->time() < scene_.time.end;
-    if (model_->time() >= next_frame_ && (continues() || pauses) && !model_->nodes().lacks_ground()) write_frame_now();
+    if (statistics.volume > 0) moved_ += std::sqrt(2 * statistics.kinetic / statistics.volume) * statistics.dt;
+    const double reached = follows_motion() ? moved_ : model_->time();
+    if (reached >= next_frame_ && (continues() || pauses) && !model_->nodes().lacks_ground()) write_frame_now();
 }
 
 RunResult SteppedRun::finish() {

@@ -237,9 +237,9 @@ class SteppedRun {
     template <class Archive>
     void serialise(Archive& archive) {
         [[maybe_unused]] auto& [scene, options, engine, release, arrivals, model, result, stopped, frames, next_frame,
-                                last_frame, origins, still, fade, settling, recorder, watch, energy] = *this;
+                                moved, last_frame, origins, still, fade, settling, recorder, watch, energy] = *this;
         engine.stop();
-        archive(engine, arrivals, *model, frames, next_frame, still, fade, settling, recorder, energy);
+        archive(engine, arrivals, *model, frames, next_frame, moved, still, fade, settling, recorder, energy);
         archive(result.series, result.particles_peak, result.hard_events, result.unsupported, result.volume_inflow,
                 result.volume_entered, result.thin_fraction, result.moving_fraction_limit);
         for (ReleasedArea& area : result.released) archive(area.failed);
@@ -263,6 +263,7 @@ class SteppedRun {
 
     void advance();
     void write_frame_now();
+    [[nodiscard]] bool follows_motion() const noexcept { return std::isinf(scene_.time.frame_interval); }
     void receive();
     void arrive(double target);
     void count(const StepStatistics& statistics);
@@ -277,7 +278,8 @@ class SteppedRun {
     RunResult result_;
     bool stopped_ = false;
     int frames_ = 0;
-    double next_frame_;       ///< the first state at or after this time is the next frame [s]
+    double next_frame_;       ///< the first state at or after this time [s], or distance [m], is the next frame
+    double moved_ = 0;        ///< root of the flow's mean squared speed, summed over time [m]
     double last_frame_ = -1;  ///< time of the last frame by this process [s]
     FrontOrigins origins_;
     StillWatch still_;

@@ -6,6 +6,8 @@
 namespace frana {
 namespace {
 
+constexpr double k_by_motion = std::numeric_limits<double>::infinity();
+
 struct ObservedCase {
     const char* name;
     Scene (*scene)();
@@ -23,7 +25,7 @@ TEST_P(Observed, FramesChangeNothing) {
     Scene scene = GetParam().scene();
     const Played alone = unobserved(scene);
     EXPECT_TRUE(alone.frames.empty());
-    for (const double interval : {1e-3, 0.37}) {
+    for (const double interval : {1e-3, 0.37, k_by_motion}) {
         SCOPED_TRACE(interval);
         scene.time.frame_interval = interval;
         const Played seen = play(scene, 3, 7);
@@ -32,6 +34,9 @@ TEST_P(Observed, FramesChangeNothing) {
         if (interval < 0.1) continue;
         const Played resumed = play(scene, 2, 1'000'000'000, &seen.states[seen.states.size() / 2]);
         expect_same(alone.result, resumed.result);
+        ASSERT_LE(resumed.frames.size(), seen.frames.size());
+        for (std::size_t k = 1; k <= resumed.frames.size(); ++k)
+            EXPECT_EQ(resumed.frames[resumed.frames.size() - k].time, seen.frames[seen.frames.size() - k].time);
     }
 }
 
@@ -64,6 +69,34 @@ TEST_P(Observed, FramesAreTheFirstStatesThatReachTheirTimes) {
             EXPECT_EQ(over, 0U) << expected[i];
         }
     }
+}
+
+// A rest has no frames, whatever its length; the mean distance between frames is a cell, and grows as the root of the
+// distance so far.
+TEST(ObservedMotion, HasFramesAtStepsOfTheDistanceCovered) {
+    Scene scene = resting();
+    scene.time.stop_when_still = false;
+    scene.time.frame_interval = k_by_motion;
+    const Played seen = play(scene, 1, 1'000'000'000);
+    const double cell = scene.grid.cell_size;
+    double moved = 0, due = cell;
+    std::size_t frame = 0;
+    for (const SeriesRow& row : seen.result.series) {
+        moved += std::sqrt(2 * row.kinetic_energy / (scene.material.density * row.volume)) * row.dt;
+        if (moved < due || frame + 2 >= seen.frames.size()) continue;
+        ++frame;
+        EXPECT_EQ(seen.frames[frame].time, row.time) << frame;
+        due = moved + std::max(cell, std::sqrt(cell * moved) / 2);
+    }
+    EXPECT_EQ(frame + 2, seen.frames.size()) << "but for the first and the last";
+    EXPECT_GT(frame, 5U);
+    EXPECT_LT(frame, 60U);
+    double longest = 0, shortest = scene.time.end;  // before the second area fails little moves
+    for (std::size_t k = 1; k + 1 < seen.frames.size(); ++k) {
+        longest = std::max(longest, seen.frames[k].time - seen.frames[k - 1].time);
+        shortest = std::min(shortest, seen.frames[k].time - seen.frames[k - 1].time);
+    }
+    EXPECT_GT(longest, 4 * shortest) << "of " << seen.frames.size() << " frames";
 }
 
 TEST_P(Observed, GaugesAndIntensitiesChangeNothing) {

@@ -156,7 +156,6 @@ std::map<std::string, std::string> resolved_choices(const SceneSpec& spec, const
     chosen["numerics.curvature"] = curvature(spec.numerics) ? "on" : "off";
     chosen["numerics.flight"] = flight(spec.numerics) ? "on" : "off";
     chosen["numerics.well-balanced"] = well_balanced(spec.numerics) ? "on" : "off";
-    chosen["time.frame-interval"] = shortest_text(frame_interval(spec));
     chosen["observed.threshold"] = shortest_text(observed_threshold(spec));
     chosen["hazard.minimum-depth"] = shortest_text(hazard_minimum_depth(spec));
     return chosen;

@@ -335,7 +335,7 @@ void add_rest(std::vector<Parameter>& list) {
                "moves; 0: off.")));
     list.push_back(number("time.frame-interval", FRANA_MEMBER(time.frame_interval), "s", Range{0, 1e6, true},
                           "Simulated time between frames; each is the first state at or after its time.",
-                          "a round number, at most sixty-one frames"));
+                          "by the motion: one after each mean distance that the flow covers"));
 
     list.push_back(text("output.directory", FRANA_MEMBER(output.directory), "folder",
                         "Result directory; --out overrides it.",

@@ -1,24 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "params/keys/scene_spec.h"
 
-#include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "params/grammar/value_text.h"
 #include "params/keys/laws.h"
 
 namespace frana {
-namespace {
-
-/// Returns the nearest of 1, 2, 5 times a power of ten above a value.
-double round_up(double value) {
-    const double decade = std::pow(10.0, std::floor(std::log10(value)));
-    for (const double factor : {1.0, 2.0, 5.0})
-        if (value <= factor * decade * (1 + 1e-12)) return factor * decade;
-    return 10 * decade;
-}
-
-}  // namespace
 
 Transfer transfer_of(const Numerics& numerics) {
     if (numerics.transfer != Transfer::automatic) return numerics.transfer;
@@ -58,7 +47,7 @@ double courant_number(const Numerics& numerics, const Material& material) {
 
 double frame_interval(const SceneSpec& scene) {
     if (!scene.output.frames && !scene.output.animation) return 0;
-    return scene.time.frame_interval.value_or(round_up(scene.time.end / 60));
+    return scene.time.frame_interval.value_or(std::numeric_limits<double>::infinity());
 }
 
 std::string scene_name(const SceneSpec& scene) {

@@ -9,7 +9,7 @@
     result["max_depth"]                                # rows x columns [m]
     result.summary["runout"]["horizontal_m"]
 
-    for frame in frana.run_frames(scene):              # the flow at every time.frame-interval
+    for frame in frana.run_frames(scene):              # the flow as it moves, or at every time.frame-interval
         print(frame.time, frame["depth"])
 
 Arrays are not copied: a scene reads yours where they are, and those of a result are its own memory, read-only. Results
@@ -36,7 +36,7 @@ def run(scene: Scene, threads: int = 1) -> Result:
 
 
 def run_frames(scene: Scene, threads: int = 1) -> Generator[Frame, None, Result]:
-    """Yields the flow at the start, at every time.frame-interval [s] and at the end, as it is computed; returns the
+    """Yields the flow at the start, at every frame and at the end, as it is computed; returns the
     result. Leaving the loop ends the run.
     """
     steps = Run(scene, threads)

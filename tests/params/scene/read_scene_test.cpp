@@ -151,9 +151,9 @@ TEST_F(ReadScene, PathsOfEveryKind) {
     EXPECT_EQ(absolute_path("PG:dbname=x", "/d"), "PG:dbname=x");
 }
 
-TEST_F(ReadScene, FrameIntervalIsRoundAndOnlyWithFrames) {
-    EXPECT_EQ(frame_interval(read(k_least + "[time]\nend = 300\n").scene), 5);
-    EXPECT_EQ(frame_interval(read(k_least + "[time]\nend = 20\n").scene), 0.5);
+TEST_F(ReadScene, FramesFollowTheMotionUnlessAnIntervalIsGiven) {
+    EXPECT_TRUE(std::isinf(frame_interval(read(k_least).scene)));
+    EXPECT_EQ(frame_interval(read(k_least + "[time]\nframe-interval = 7\n").scene), 7);
     EXPECT_EQ(frame_interval(read(k_least + "[output]\nframes = off\nanimation = off\n").scene), 0);
     EXPECT_TRUE(has_problem(problems(k_least + "[time]\nframe-interval = 0.001\n"), "time.frame-interval", "0.001 s",
                             "at least 0.03 s for time.end = 300"));
@@ -162,11 +162,11 @@ TEST_F(ReadScene, FrameIntervalIsRoundAndOnlyWithFrames) {
 TEST_F(ReadScene, OutputsThatContradictAreRefusedTogether) {
     const std::vector<Problem> all = problems(k_least +
                                               "[output]\nformats = particles-gpkg\nframes = off\nanimation = off\n"
-                                              "sample-interval = 1\nmap-scale = 5000\n");
+                                              "sample-interval = 1\nmap-scale = 5000\nmap-size = 800x600\n");
     EXPECT_TRUE(has_problem(all, "output.formats", "particles-gpkg"));
     EXPECT_TRUE(has_problem(all, "output.sample-interval", "1"));
     EXPECT_TRUE(has_problem(all, "output.map-scale", "5000",
-                            "A4, A3, A4-portrait, A4-landscape, A3-portrait, A3-landscape; output.map-size is auto"));
+                            "A4, A3, A4-portrait, A4-landscape, A3-portrait, A3-landscape; output.map-size is 800x600"));
     EXPECT_EQ(all.size(), 3U);
     EXPECT_TRUE(no_problem(problems(k_least + "[output]\nmap-scale = 5000\nmap-size = A3-portrait@300\n")));
     EXPECT_TRUE(no_problem(problems(k_least + "[output]\nformats = particles-gpkg\n")))
