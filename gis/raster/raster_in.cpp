@@ -270,13 +270,15 @@ Raster read_result_raster(const std::string& path, int band) {
     grid.columns = info.columns;
     grid.rows = info.rows;
     grid.crs_wkt = info.crs_wkt.empty() ? "" : horizontal_crs(info.crs_wkt);
-    // What a sparse file does not contain is no data, or 0 where the file names no such value.
-    Raster raster(grid, info.has_nodata ? k_no_data : 0);
-    if (!raster.values.is_tiled()) {
+    if (grid.cell_count() <= CellValues::k_most_dense) {
+        Raster raster;
+        raster.grid = grid;
         raster.values = source.read({0, 0, static_cast<int>(info.columns), static_cast<int>(info.rows)},
                                     info.vertical_scale_to_metres);
         return raster;
     }
+    // What a sparse file does not contain is no data, or 0 where the file names no such value.
+    Raster raster(grid, info.has_nodata ? k_no_data : 0);
     constexpr std::int64_t k_at_once = 4 * CellValues::k_side;
     for (std::int64_t row = 0; row < grid.rows; row += k_at_once) {
         for (std::int64_t column = 0; column < grid.columns; column += k_at_once) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/animation/animation.h"
 
+#include <algorithm>
 #include <type_traits>
 
 #include "core/error.h"
@@ -54,7 +55,30 @@ struct Animator<Spec>::Session {
     std::shared_ptr<std::conditional_t<k_is_map, const MapGround, ViewPlace>> ground;
     std::conditional_t<k_is_map, MapPage, ViewSession> page;
 
+    Image last;  ///< of a map, in which only the subtitle and the inside of the frame change
+
     explicit Session(const Spec& base) : page(with_fixed_scale(base), true, ground) {}
+
+    Image paint(const Page& drawn) {
+        if constexpr (k_is_map) {
+            if (last.width > 0) {
+                const PageBox& map = page.layout().map;
+                repaint(drawn, {0, 0, static_cast<double>(drawn.width()), map.top});
+                repaint(drawn, map);
+                return last;
+            }
+        }
+        return last = drawn.paint();
+    }
+
+    void repaint(const Page& drawn, const PageBox& box) {
+        const int left = static_cast<int>(box.left), top = static_cast<int>(box.top);
+        Page part(static_cast<int>(box.width()), static_cast<int>(box.height()));
+        part.put(drawn, -left, -top);
+        const Image pixels = part.paint();
+        for (int row = 0; row < pixels.height; ++row)
+            std::copy_n(pixels.pixel(0, row), 3 * pixels.width, last.pixel(left, top + row));
+    }
 };
 
 template <class Spec>
@@ -69,13 +93,13 @@ Animator<Spec>& Animator<Spec>::operator=(Animator&&) noexcept = default;
 template <class Spec>
 Image Animator<Spec>::frame(const Raster& layer, const std::string& subtitle) {
     check_values(layer, session_->page.scale());
-    return session_->page.draw(&layer, nullptr, subtitle).paint();
+    return session_->paint(session_->page.draw(&layer, nullptr, subtitle));
 }
 
 template <class Spec>
 Image Animator<Spec>::frame(const Dots& dots, const std::string& subtitle) {
     check_values(dots, session_->page.scale());
-    return session_->page.draw(nullptr, &dots, subtitle).paint();
+    return session_->paint(session_->page.draw(nullptr, &dots, subtitle));
 }
 
 template class Animator<MapSpec>;

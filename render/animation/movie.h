@@ -25,7 +25,7 @@ class MovieWriter {
     MovieWriter(const MovieWriter&) = delete;
     MovieWriter& operator=(const MovieWriter&) = delete;
 
-    /// Adds a picture as the given number of frames. Throws Error(input) for another size, Error(environment) if
+    /// Adds a picture, stored once and shown as long as the given number of frames. Throws Error(input) for another size, Error(environment) if
     /// writing fails.
     void add(const Image& image, int frames = 1);
 

@@ -124,7 +124,7 @@ class Page {
 
     void put(std::shared_ptr<const Image> picture, int left, int top, double scale = 1);
     void put(std::shared_ptr<const Overlay> drawing) { parts_.push_back({.drawing = std::move(drawing)}); }
-    /// Puts another page, which must lie inside, with its upper left corner there.
+    /// Puts another page with its upper left corner there; only what lies inside is drawn.
     void put(const Page& other, int left, int top);
 
     [[nodiscard]] int width() const noexcept { return width_; }

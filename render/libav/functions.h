@@ -26,7 +26,7 @@ class MovieEncoder {
     MovieEncoder(const MovieEncoder&) = delete;
     MovieEncoder& operator=(const MovieEncoder&) = delete;
 
-    /// Adds a picture to an MP4 as the given number of frames: three bytes a pixel, row by row from the top.
+    /// Adds a picture to an MP4, shown as long as this many frames: three bytes a pixel, row by row from the top.
     virtual void add(const std::vector<std::uint8_t>& rgb, int frames) = 0;
     /// Adds a picture to a GIF: at most 255 colours and the number of one for each pixel.
     virtual void add(const std::vector<Rgb>& colours, const std::vector<std::uint8_t>& indices, int frames) = 0;

@@ -13,6 +13,7 @@ extern "C" {
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <utility>
 
 namespace frana::render {
@@ -60,6 +61,11 @@ class LibavEncoder : public MovieEncoder {
             throw ModuleFailure({"an animation without pictures is not written", movie_.name, "", "", ""});
         check(avcodec_send_frame(codec_.get(), nullptr), "an animation cannot be completed");
         write_packets();
+        if (movie_.gif) {  // which takes the last picture's duration from this alone
+            const double hundredths = 100 * frames_of_.rbegin()->second / movie_.frames_per_second;
+            check(av_opt_set_int(format_->priv_data, "final_delay", std::lround(hundredths), 0),
+                  "an animation cannot be completed");
+        }
         check(av_write_trailer(format_.get()), "an animation cannot be completed");
         check(avio_closep(&format_->pb), "an animation cannot be written completely");
     }
@@ -181,12 +187,13 @@ class LibavEncoder : public MovieEncoder {
         }
     }
 
+    /// Encodes a picture once, to be shown as long as this many frames.
     void encode(int frames) {
-        for (int k = 0; k < frames; ++k) {
-            frame_->pts = n_frames_++;
-            check(avcodec_send_frame(codec_.get(), frame_.get()), "an animation's frame cannot be encoded");
-            write_packets();
-        }
+        frame_->pts = n_frames_;
+        n_frames_ += frames;
+        frames_of_[frame_->pts] = frames;
+        check(avcodec_send_frame(codec_.get(), frame_.get()), "an animation's frame cannot be encoded");
+        write_packets();
     }
 
     void write_packets() {
@@ -195,7 +202,7 @@ class LibavEncoder : public MovieEncoder {
             if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
             check(code, "an animation's frame cannot be encoded");
             packet_->stream_index = stream_->index;
-            packet_->duration = 1;
+            packet_->duration = frames_of_.at(packet_->pts);
             av_packet_rescale_ts(packet_.get(), codec_->time_base, stream_->time_base);
             check(av_interleaved_write_frame(format_.get(), packet_.get()), "an animation's frame cannot be written");
         }
@@ -203,6 +210,7 @@ class LibavEncoder : public MovieEncoder {
 
     MovieFile movie_;
     std::int64_t n_frames_ = 0;
+    std::map<std::int64_t, int> frames_of_;  ///< of each picture, by the first
     Codec codec_;
     Frame frame_, picture_;  // encoded; its colours as drawn
     Packet packet_;

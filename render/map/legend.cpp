@@ -15,6 +15,15 @@ namespace {
 constexpr int k_usual_classes = 8;  // more cannot be distinguished in a legend
 constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
+/// Light enough that shade and lines of the ground are seen through it, also through the darkest.
+Rgb light(Rgb colour) {
+    const auto lighter = [](std::uint8_t byte) {
+        constexpr double k_white = 0.2;
+        return static_cast<std::uint8_t>(std::lround(byte + k_white * (255 - byte)));
+    };
+    return {lighter(colour.r), lighter(colour.g), lighter(colour.b)};
+}
+
 /// Whether equal classes would put half of all values into the lowest one.
 bool mostly_small(const Raster* layer, const ValueRange& range) {
     if (layer == nullptr || range.empty() || range.least < 0) return false;
@@ -96,7 +105,7 @@ ColourScale::ColourScale(const ScaleRequest& request) : words_(request.words) {
 void ColourScale::set_categories(const std::vector<ClassLabel>& categories) {
     categorical_ = true;
     for (const ClassLabel& category : categories) {
-        classes_.push_back({category.value, category.value, category.label, category.colour});
+        classes_.push_back({category.value, category.value, category.label, light(category.colour)});
     }
 }
 
@@ -116,7 +125,7 @@ void ColourScale::set_bounds(const std::vector<double>& bounds, bool open_below,
     if (open_above) classes_.push_back({end, k_infinity, "> " + number_of(end), {}});
     const auto last = static_cast<double>(std::max<std::size_t>(classes_.size() - 1, 1));
     for (std::size_t i = 0; i < classes_.size(); ++i) {
-        classes_[i].colour = colour_at(palette, static_cast<double>(i) / last);
+        classes_[i].colour = light(colour_at(palette, static_cast<double>(i) / last));
     }
 }
 
@@ -176,7 +185,7 @@ double scale_of(double metres_per_pixel, double dots_per_inch) {
 double round_scale_above(double n) {
     double decade = std::pow(10, std::floor(std::log10(n)));
     for (;; decade *= 10) {
-        for (const double step : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 7.5}) {
+        for (const double step : {1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.5, 8.0}) {
             const double scale = std::round(step * decade);
             if (scale * k_scale_rounding >= n) return scale;
         }
@@ -208,7 +217,7 @@ std::string scale_words(double n, const Words& words) {
 }
 
 std::string print_words(const Print& print, double page_width, double page_height, const Words& words) {
-    if (!print.sheet.empty()) return words("on {1}", {print.sheet});
+    if (!print.sheet.empty()) return words("on {1}", {print.sheet.substr(0, print.sheet.find('-'))});
     const auto centimetres = [&](double pixels) {
         return words.number(number(std::round(1000 * k_inch * pixels / print.dots_per_inch) / 10));
     };

@@ -40,7 +40,7 @@ struct ScaleRequest {
     Words words{};                   ///< of the classes' numbers
 };
 
-/// Maps values to colours: one of a few classes, the same on the map and in the legend.
+/// Maps values to colours: one of a few classes, the same on the map and in the legend, the palette's mixed with white.
 class ColourScale {
   public:
     /// No classes at all: nothing is coloured.
@@ -73,8 +73,8 @@ ColourScale scale_of(const PictureSpec& spec, bool for_frames);
 double metres_per_pixel(double n, double dots_per_inch);
 /// The inverse: n.
 double scale_of(double metres_per_pixel, double dots_per_inch);
-/// Returns the least round scale that is at least `n`: 1000, 1500, 2000, 2500, 3000, 4000, 5000, 7500 and ten times
-/// these, and so on: a map shrinks by a third at most.
+/// Returns the least round scale that is at least `n`: 1000, 1250, 1500, 2000, 2500, 3000, 4000, 5000, 6000, 7500, 8000
+/// and ten times these, and so on: a map shrinks by a quarter at most.
 double round_scale_above(double n);
 
 /// Returns the ground shown in a frame of width x height pixels. `required`: must be visible; `free`: the same with a

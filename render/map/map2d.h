@@ -137,7 +137,7 @@ struct FittingScale {
 /// Returns them for a spec with `print.dots_per_inch`. Throws as map_page does, but not for a scale that does not fit.
 FittingScale fitting_scale(const MapSpec& spec);
 
-/// Draws a map on a page of width x height pixels: relief, cells in pure legend colours (no smoothing), outlines, frame
+/// Draws a map on a page of width x height pixels: relief, seen through cells in the legend's colours, outlines, frame
 /// with coordinates, legend, scale bar, north arrow. An empty raster is drawn with a note. Fills `layout`, if given.
 /// Throws Error(input) if the spec contradicts itself or the page is too small for its texts or for the content at its
 /// scale, and Error(environment) if

@@ -96,41 +96,31 @@ void lay(Image& under, const std::vector<std::uint8_t>& picture, double lighter)
 
 Image draw_ground(const MapFrame& frame, const GroundTexture& texture) {
     Image picture(frame.width, frame.height, k_no_terrain);
-    if (texture.image.width == 0) return picture;
-    // Pixels to the right and upwards.
-    const auto place = [&](Point map) {
-        const Point p = frame.turn.page(map);
-        return ScenePoint{(p.x - frame.window.west) / frame.window.width() * frame.width,
-                          (p.y - frame.window.north) / frame.window.height() * frame.height, 0};
-    };
-    std::vector<ScenePoint> places;
-    for (const Point corner : corners(texture.box)) places.push_back(place(corner));
-    return call_module([&] {
-        // The shaders of the last picture need not be compiled again.
-        static thread_local std::unique_ptr<TerrainScene> scene;
-        if (!scene) {
-            const SceneSurface rectangle{places, {0, 1, 2, 3}, 4, {255, 255, 255}, {0, 1, 1, 1, 1, 0, 0, 0}};
-            scene = vtk().terrain_scene({rectangle});
-            scene->set_background(k_no_terrain, k_no_terrain);
-        }
-        scene->move_points(places);
-        scene->set_texture(texture.image.width, texture.image.height, texture.image.rgb);
-        // In pieces, so that a large page needs no window of its size.
-        constexpr int k_piece = 1024;
-        for (int top = 0; top < frame.height; top += k_piece) {
-            for (int left = 0; left < frame.width; left += k_piece) {
-                const int width = std::min(k_piece, frame.width - left), height = std::min(k_piece, frame.height - top);
-                scene->start(width, height);
-                scene->look_down({left + width / 2.0, -(top + height / 2.0), 0}, height);
-                const std::vector<std::uint8_t> piece = scene->draw(1);
-                const std::size_t line = 3 * static_cast<std::size_t>(width);
-                for (int row = 0; row < height; ++row)
-                    std::copy_n(piece.data() + line * static_cast<std::size_t>(row), line,
-                                picture.pixel(left, top + row));
+    const Image& of = texture.image;
+    const double across = of.width / texture.box.width(), down = of.height / texture.box.height();
+    for (int row = 0; row < frame.height && of.width > 0; ++row) {
+        const Point first = frame.ground(0, row), second = frame.ground(1, row);
+        for (int column = 0; column < frame.width; ++column) {
+            const double x = (first.x + column * (second.x - first.x) - texture.box.west) * across,
+                         y = (texture.box.north - first.y - column * (second.y - first.y)) * down;
+            if (!(x >= 0 && x <= of.width && y >= 0 && y <= of.height)) continue;
+            const double from_left = std::clamp(x - 0.5, 0.0, of.width - 1.0),
+                         from_top = std::clamp(y - 0.5, 0.0, of.height - 1.0);
+            const int left = std::min(static_cast<int>(from_left), std::max(of.width - 2, 0)),
+                      top = std::min(static_cast<int>(from_top), std::max(of.height - 2, 0));
+            const double right = from_left - left, below = from_top - top;
+            const std::uint8_t* const upper = of.pixel(left, top);
+            const std::uint8_t* const lower = of.pixel(left, std::min(top + 1, of.height - 1));
+            const int next = of.width > 1 ? 3 : 0;
+            std::uint8_t* const to = picture.pixel(column, row);
+            for (int k = 0; k < 3; ++k) {
+                const double a = upper[k] + right * (upper[next + k] - upper[k]),
+                             b = lower[k] + right * (lower[next + k] - lower[k]);
+                to[k] = static_cast<std::uint8_t>(a + below * (b - a) + 0.5);
             }
         }
-        return picture;
-    });
+    }
+    return picture;
 }
 
 Image ground_picture(const MapFrame& frame, const Raster* terrain, const Background& background) {
@@ -145,10 +135,8 @@ Image ground_picture(const MapFrame& frame, const Raster* terrain, const Backgro
         return draw_ground(frame, {shown, std::move(image)});
     }
     if (terrain == nullptr) return Image(frame.width, frame.height, k_no_terrain);
-    // More than one cell for a pixel would not be seen, nor more than OpenGL takes.
-    constexpr int k_most_texels = 8192;
-    return draw_ground(frame,
-                       relief_texture(*terrain, box, std::min(2 * std::max(frame.width, frame.height), k_most_texels)));
+    // More than one cell for a pixel would not be seen.
+    return draw_ground(frame, relief_texture(*terrain, box, 2 * std::max(frame.width, frame.height)));
 }
 
 void paint_dots(Image& page, const MapFrame& frame, const Dots& dots, const ColourScale& scale) {
@@ -174,17 +162,107 @@ void paint_dots(Image& page, const MapFrame& frame, const Dots& dots, const Colo
     }
 }
 
+namespace {
+
+/// The four cells around a place, those with a class, and how much each counts there.
+struct Around {
+    std::array<double, 4> values{}, weights{};
+    double covered = 0;  ///< sum of their weights: below a half the place lies beside the cells
+};
+
+Around around(const Raster& layer, const ColourScale& scale, Point map) {
+    const double x = (map.x - layer.grid.west) / layer.grid.cell_size - 0.5,
+                 y = (layer.grid.north - map.y) / layer.grid.cell_size - 0.5;
+    const double left = std::floor(x), top = std::floor(y);
+    Around found;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const double column = left + static_cast<double>(k % 2), row = top + static_cast<double>(k / 2);
+        if (!(column >= 0 && row >= 0 && column < static_cast<double>(layer.grid.columns) &&
+              row < static_cast<double>(layer.grid.rows)))
+            continue;
+        found.values[k] = layer.at(static_cast<std::int64_t>(row), static_cast<std::int64_t>(column));
+        if (scale.find(found.values[k]) == nullptr) continue;
+        found.weights[k] = (1 - std::abs(x - column)) * (1 - std::abs(y - row));
+        found.covered += found.weights[k];
+    }
+    return found;
+}
+
+/// The class of a place: that of the mean of the cells around it, or of categories the one that counts most.
+const ColourClass* smooth_class(const Raster& layer, const ColourScale& scale, Point map) {
+    const Around cells = around(layer, scale, map);
+    if (cells.covered < 0.5) return nullptr;
+    double sum = 0, most = 0, greatest = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+        if (cells.weights[k] == 0) continue;
+        sum += cells.weights[k] * cells.values[k];
+        double same = 0;
+        for (std::size_t other = 0; other < 4; ++other)
+            if (cells.values[other] == cells.values[k]) same += cells.weights[other];
+        if (same > most) greatest = cells.values[k];
+        most = std::max(most, same);
+    }
+    return scale.find(scale.categorical() ? greatest : sum / cells.covered);
+}
+
+/// How the ground below changes a colour: its light and shade, lines and letters are seen through it. The legend's
+/// colours are those on its mean tone: relief is bright, a photograph dark.
+class GroundLight {
+  public:
+    GroundLight(const Image& page, const MapFrame& frame) {
+        double sum = 0, count = 0;
+        for (int row = 0; row < frame.height; row += k_apart)
+            for (int column = 0; column < frame.width; column += k_apart, ++count)
+                sum += tone(page.pixel(frame.left + column, frame.top + row));
+        for (std::size_t one = 0; one < light_.size(); ++one)
+            light_[one] = std::clamp(std::pow(static_cast<double>(one) * count / std::max(sum, 1.0), 0.6), 0.4, 1.25);
+    }
+    void tint(std::uint8_t* p, Rgb colour) const {
+        const double light = light_[static_cast<std::size_t>(tone(p))];
+        const std::array<std::uint8_t, 3> of{colour.r, colour.g, colour.b};
+        for (std::size_t k = 0; k < 3; ++k)
+            p[k] = static_cast<std::uint8_t>(std::min(255.0, std::round(of[k] * light)));
+    }
+
+  private:
+    static constexpr int k_apart = 5;  // pixels that tell the mean
+    static int tone(const std::uint8_t* p) { return (p[0] + p[1] + p[2]) / 3; }
+
+    std::array<double, 256> light_{};
+};
+
+/// The pixels of a frame that the cells with values may reach, and `more` beside them.
+struct PixelBox {
+    int left, top, right, bottom;
+};
+PixelBox reached_pixels(const MapFrame& frame, const Raster& layer, int more) {
+    const auto data = data_bounds(layer);
+    if (!data) return {0, 0, 0, 0};
+    PixelBox box{frame.width, frame.height, 0, 0};
+    for (const Point corner : corners(*data)) {
+        const Point at = frame.alone().page(corner);
+        const auto pixel = [&](double place, int most) {
+            return static_cast<int>(std::clamp(place, -1.0, static_cast<double>(most) + 1));
+        };
+        const int x = pixel(at.x, frame.width), y = pixel(at.y, frame.height);
+        box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x), std::max(box.bottom, y)};
+    }
+    return {std::max(0, box.left - more), std::max(0, box.top - more), std::min(frame.width, box.right + 1 + more),
+            std::min(frame.height, box.bottom + 1 + more)};
+}
+
+}  // namespace
+
 void paint_cells(Image& page, const MapFrame& frame, const Raster& layer, const ColourScale& scale, int edge_px) {
     const auto width = static_cast<std::size_t>(frame.width);
     std::vector<char> coloured(width * static_cast<std::size_t>(frame.height));
-    for (int row = 0; row < frame.height; ++row) {
-        for (int column = 0; column < frame.width; ++column) {
-            const ColourClass* found = scale.find(cell_value(layer, frame.ground(column, row)));
+    const PixelBox box = reached_pixels(frame, layer, edge_px + 1);
+    const GroundLight light(page, frame);
+    for (int row = box.top; row < box.bottom; ++row) {
+        for (int column = box.left; column < box.right; ++column) {
+            const ColourClass* found = smooth_class(layer, scale, frame.ground(column, row));
             if (found == nullptr) continue;
-            std::uint8_t* p = page.pixel(frame.left + column, frame.top + row);
-            p[0] = found->colour.r;
-            p[1] = found->colour.g;
-            p[2] = found->colour.b;
+            light.tint(page.pixel(frame.left + column, frame.top + row), found->colour);
             coloured[static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column)] = 1;
         }
     }
@@ -192,8 +270,8 @@ void paint_cells(Image& page, const MapFrame& frame, const Raster& layer, const 
         return column >= 0 && column < frame.width && row >= 0 && row < frame.height &&
                coloured[static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column)] != 0;
     };
-    for (int row = 0; row < frame.height; ++row) {
-        for (int column = 0; column < frame.width; ++column) {
+    for (int row = box.top; row < box.bottom; ++row) {
+        for (int column = box.left; column < box.right; ++column) {
             if (is_coloured(column, row)) continue;
             bool at_edge = false;
             for (int k = 1; k <= edge_px && !at_edge; ++k)

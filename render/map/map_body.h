@@ -75,20 +75,20 @@ GroundTexture relief_texture(const Raster& terrain, const Bounds& window, std::i
 /// Lays a picture of the same size over an image (Background), its colours lighter by a fraction of the way to white.
 void lay(Image& under, const std::vector<std::uint8_t>& picture, double lighter);
 
-/// Draws a texture inside a frame by VTK through OSMesa, interpolated between texels; pale grey beside it. Throws
-/// Error(environment) if VTK or OpenGL fails.
+/// Draws a texture inside a frame, interpolated between texels; pale grey beside it.
 Image draw_ground(const MapFrame& frame, const GroundTexture& texture);
 
 /// The ground of a map without its raster: a user's picture, slightly lighter so that lines and colours are visible on
 /// it, else the relief; plain without either.
 Image ground_picture(const MapFrame& frame, const Raster* terrain, const Background& background);
 
-/// Paints cells in the pure colours of their classes, each pixel from the cell that contains its centre. The ground
-/// within the given number of pixels beside them is darkened: the edge of the palest class must be visible on bright
-/// ground and in print without colours.
+/// Paints cells in the colours of their classes, lighter and darker as the ground below, which is seen through them. A
+/// pixel's class is that of the mean of the cells around it, so that their edges are smooth. The ground within the
+/// given number of pixels beside them is darkened: the edge of the palest class must be visible on bright ground and in
+/// print without colours.
 void paint_cells(Image& page, const MapFrame& frame, const Raster& layer, const ColourScale& scale, int edge_px);
 
-/// Paints particles as dots in the pure colours of their values' classes.
+/// Paints particles as dots in the colours of their values' classes.
 void paint_dots(Image& page, const MapFrame& frame, const Dots& dots, const ColourScale& scale);
 
 }  // namespace frana::render

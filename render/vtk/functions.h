@@ -35,8 +35,6 @@ class TerrainScene {
     /// Starts another picture of the surfaces: its size, no lines and dots yet.
     virtual void start(int width, int height) = 0;
     virtual void set_camera(const ScenePoint& position, const ScenePoint& target, double opening_deg) = 0;
-    /// Without perspective, from above the middle of the picture, whose upper side is in the north.
-    virtual void look_down(const ScenePoint& middle, double height) = 0;
     /// Colours at the lower and the upper side of the picture where there is nothing.
     virtual void set_background(Rgb below, Rgb above) = 0;
     /// Three bytes for each texel, row by row from the top.

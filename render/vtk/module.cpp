@@ -88,15 +88,6 @@ class VtkScene : public TerrainScene {
         eye->SetViewAngle(opening_deg);
     }
 
-    void look_down(const ScenePoint& middle, double height) override {
-        vtkCamera* eye = renderer_->GetActiveCamera();
-        eye->ParallelProjectionOn();
-        eye->SetPosition(middle.x, middle.y, middle.z + 1);
-        eye->SetFocalPoint(middle.x, middle.y, middle.z);
-        eye->SetViewUp(0, 1, 0);
-        eye->SetParallelScale(height / 2);
-    }
-
     void set_texture(int columns, int rows, const std::vector<std::uint8_t>& rgb) override {
         vtkNew<vtkImageData> image;
         image->SetDimensions(columns, rows, 1);

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -98,6 +99,22 @@ inline std::pair<int, int> pixel(const MapLayout& layout, Point map) {
 
 inline bool near(Rgb a, Rgb b, int tolerance) {
     return std::abs(a.r - b.r) <= tolerance && std::abs(a.g - b.g) <= tolerance && std::abs(a.b - b.b) <= tolerance;
+}
+
+/// A colour of a palette as the legend has it.
+inline Rgb in_legend(Rgb pure) {
+    const auto light = [](int byte) { return static_cast<std::uint8_t>(std::lround(byte + 0.2 * (255 - byte))); };
+    return {light(pure.r), light(pure.g), light(pure.b)};
+}
+
+/// Whether a pixel has a colour of the legend, lighter or darker by the ground below.
+inline bool shows(Rgb pixel, Rgb legend) {
+    // From the darkest channel: brighter ones may be full.
+    const auto [from, to] =
+        std::min({std::pair<int, int>{legend.r, pixel.r}, {legend.g, pixel.g}, {legend.b, pixel.b}});
+    const double light = static_cast<double>(to) / from;
+    const auto scaled = [&](int byte) { return static_cast<std::uint8_t>(std::min(255.0, std::round(byte * light))); };
+    return light > 0.6 && light < 1.26 && near(pixel, {scaled(legend.r), scaled(legend.g), scaled(legend.b)}, 5);
 }
 
 /// A separate folder for each test, removed with its contents.

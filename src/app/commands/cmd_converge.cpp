@@ -439,7 +439,7 @@ void write_uncertainty(const std::string& raster, std::vector<Level>& levels, co
                         description_of(row, row.name, spec.output),
                         row.unit,
                         {{"PROGRAM", k_program}, {"VERSION", k_version}}});
-    const std::vector<double> classes = class_bounds(row, spec.output.classes, maximum(uncertainty));
+    const std::vector<double> classes = class_bounds(row, maximum(uncertainty));
     gis::write_styles(raster, gis::class_stops(palette(row.palette), classes, row.unit, words), row.unit,
                       gis::StyleKind::classed, words(row.title));
 }

@@ -247,7 +247,7 @@ void prepare_place(const DrawingPlace& place, const std::vector<std::string>& fi
 }
 
 void render_animation(const ResultReader& result, const MapSource& source, const Request& request, Size size) {
-    const AnimationRequest animation{animation_source(result, source, request.animation_of), request.view_3d, size};
+    const AnimationRequest animation{animation_source(result, source, request.animation_of, size), request.view_3d};
     const fs::path parent = fs::path(*request.animation).parent_path();
     Problems problems;
     prepare_place({parent.empty() ? "." : parent.string(), "--animation", {result.directory()}, {}},

@@ -150,6 +150,14 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std:
                              gis::check_picture(*picture, grid.crs_wkt, reading.where("output.map-background"))));
         });
     }
+    if (const auto& context = output.map_context) {
+        attempt(problems, [&] {
+            files.push_back(
+                used_features(worded("Surroundings"), *context,
+                              reading.session.read(gis::read_features, *context, grid.crs_wkt,
+                                                   reading.where("output.map-context"), std::string(), std::string())));
+        });
+    }
     if (const auto& logo = output.map_logo) {
         attempt(problems, [&] {
             const Place where = reading.where("output.map-logo");
@@ -161,7 +169,7 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std:
             extra.exposure =
                 reading.session.read(gis::read_features, *exposed, grid.crs_wkt, reading.where("output.exposure"),
                                      output.exposure_name.value_or(""), output.exposure_count.value_or(""));
-            files.push_back(used_exposed(*exposed, *extra.exposure));
+            files.push_back(used_features(worded("Exposed features"), *exposed, *extra.exposure));
             if (reading.scene.exposure.fragility) extra.fragility = fragility_of(reading, *extra.exposure, files);
         });
     }

@@ -118,9 +118,8 @@ UsedFile used_hydrograph(const std::string& path, const std::vector<HydrographPo
     return file;
 }
 
-UsedFile used_exposed(const std::string& path, const gis::FeatureLayer& layer) {
-    UsedFile file =
-        positioned(worded("Exposed features"), path, layer.crs_wkt, layer.crs_label, layer.own_bounds, layer.transform);
+UsedFile used_features(const std::string& role, const std::string& path, const gis::FeatureLayer& layer) {
+    UsedFile file = positioned(role, path, layer.crs_wkt, layer.crs_label, layer.own_bounds, layer.transform);
     file.layer = layer.layer_name;
     file.content = counted(layer.features.size(), worded("features: {1}"));
     file.checksum.add(layer.features);

@@ -110,7 +110,7 @@ UsedFile used_polygons(const std::string& role, const std::string& path, const g
 UsedFile used_lines(const std::string& role, const std::string& path, const gis::FeatureLayer& layer);
 UsedFile used_marks(const std::string& role, const std::string& path, const gis::Marks& marks);
 UsedFile used_hydrograph(const std::string& path, const std::vector<HydrographPoint>& points);
-UsedFile used_exposed(const std::string& path, const gis::FeatureLayer& layer);
+UsedFile used_features(const std::string& role, const std::string& path, const gis::FeatureLayer& layer);
 /// A data file of one's own: a hazard scheme, a friction table. `called`: its title.
 UsedFile used_data_file(const std::string& role, const std::string& path, const std::string& called);
 /// `content`: its checksum.

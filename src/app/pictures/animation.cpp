@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 #include "analysis/trace.h"
 #include "app/pictures/result_reader.h"
@@ -21,8 +22,9 @@
 namespace frana::app {
 namespace {
 
-constexpr double k_animation_seconds = 8;  // approximate length: neither jerky nor too fast
-constexpr double k_playback = 25;          // frames per second
+constexpr int k_playback = 25;         // pictures per second
+constexpr int k_most_pictures = 200;   // of a film: eight seconds, neither jerky nor too fast
+constexpr int k_most_for_a_frame = 6;  // of few frames: a quarter of a second each, on average
 
 /// Returns the number of decimals that distinguish frames, at least one.
 int time_decimals(const std::vector<StoredFrame>& frames) {
@@ -42,6 +44,24 @@ std::string lower_case_first(std::string words) {
     return words;
 }
 
+Raster read_frame(const AnimationSource& of, const StoredFrame& frame, const std::string& quantity) {
+    const std::string file = frame.raster_file(quantity);
+    Raster values = gis::read_result_raster(file);
+    require_cells(values.grid, file, of.layer.values.grid, of.layer_file);
+    return values;
+}
+
+/// Volume of what left its cells between two depths, or came to others [m3].
+double moved_volume(const Raster& before, const Raster& after) {
+    double lost = 0, gained = 0;
+    const auto of = [](double depth) { return std::isnan(depth) ? 0 : depth; };
+    after.values.for_each_stored([&](std::size_t cell, double depth) {
+        const double more = of(depth) - of(before.values[cell]);
+        (more > 0 ? gained : lost) += std::abs(more);
+    });
+    return std::max(lost, gained) * after.grid.cell_area();
+}
+
 /// Draws a frame's particles or raster. `frame` is one of the source's.
 template <class Animator>
 render::Image draw_frame(Animator& animator, const StoredFrame& frame, const AnimationSource& of) {
@@ -51,50 +71,47 @@ render::Image draw_frame(Animator& animator, const StoredFrame& frame, const Ani
         subtitle += '\n' + (has_small_nouns ? lower_case_first(one) : one);
     if (const ParticleQuantity* const of_particles = find_particle_quantity(of.quantity))
         return animator.frame(read_particle_dots(frame.particle_file, *of_particles), subtitle);
-    const std::string file = frame.raster_file(of.quantity);
-    const Raster values = gis::read_result_raster(file);
-    require_cells(values.grid, file, of.layer.values.grid, of.layer_file);
-    return animator.frame(values, subtitle);
+    return animator.frame(read_frame(of, frame, of.quantity), subtitle);
 }
 
-std::string pace_words(const AnimationSource& animation, double seconds) {
-    const double simulated = animation.frames.back().time - animation.frames.front().time;
-    if (!(seconds > 0) || !(simulated > 0)) return {};
-    const Words& words = animation.source.style.words;
-    return words("1 s of playback: {1} s", {words.number(number_text(simulated / seconds, 2))});
+/// How many pictures of the film each frame is. The film's time is the volume that moves to other cells, so that a rest
+/// takes no time and the film ends with the motion.
+std::vector<int> pace_of(const AnimationSource& of) {
+    std::vector<double> moved;
+    Raster before;
+    for (const StoredFrame& frame : of.frames) {
+        Raster depth = read_frame(of, frame, k_depth_file.what);
+        moved.push_back(moved.empty() ? 0 : moved.back() + moved_volume(before, depth));
+        before = std::move(depth);
+    }
+    return pictures_of_frames(moved, std::min(k_most_pictures, k_most_for_a_frame * static_cast<int>(moved.size())));
 }
 
-/// Returns a picture of the animation's layer at its size, with its pace: a MapSpec or a ViewSpec.
+/// Returns a picture of the animation's layer: a MapSpec or a ViewSpec.
 template <class Spec>
-Spec animation_spec(const AnimationSource& animation, Size size, double seconds) {
+Spec animation_spec(const AnimationSource& animation) {
     Spec spec;
     if constexpr (std::is_same_v<Spec, render::MapSpec>)
         spec = unprinted(map_spec(animation.source, animation.layer));
     else
         spec = view_spec(animation.source, animation.layer);
-    spec.width = size.width;
-    spec.height = size.height;
     // In place of the title block: the films' pages have no room beside the title.
     spec.attribution = render::foot_line(
         {scenario_line(animation.source), spec.attribution, render::foot_line(block_lines(animation.source.style))});
-    if (const std::string words = pace_words(animation, seconds); !words.empty()) spec.side_notes.push_back(words);
     return spec;
 }
 
 template <class Animator, class Spec>
 bool animation(const AnimationRequest& request, const std::string& path) {
     const std::vector<StoredFrame>& frames = request.source.frames;
-    // A GIF stores the duration of each picture; H.264 players need a constant rate.
-    const bool gif = path.ends_with(".gif");
-    const double pace = std::clamp(static_cast<double>(frames.size()) / k_animation_seconds, 4.0, k_playback),
-                 rate = gif ? pace : k_playback;
-    const int repeats = gif ? 1 : std::max(1, static_cast<int>(std::lround(k_playback / pace)));
-    render::MovieWriter movie(path, request.size.width, request.size.height, rate);
-    const double seconds = static_cast<double>(frames.size()) * repeats / rate;
-    Animator animator(animation_spec<Spec>(request.source, request.size, seconds));
-    for (const StoredFrame& frame : frames) {
+    std::vector<int> pictures = pace_of(request.source);
+    if (path.ends_with(".gif")) pictures.back() += k_playback;  // before it begins again
+    const Spec spec = animation_spec<Spec>(request.source);
+    render::MovieWriter movie(path, spec.width, spec.height, k_playback);
+    Animator animator(spec);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
         if (request.stop_requested && request.stop_requested()) return false;
-        movie.add(draw_frame(animator, frame, request.source), repeats);
+        if (pictures[i] > 0) movie.add(draw_frame(animator, frames[i], request.source), pictures[i]);
     }
     movie.finish();
     return true;
@@ -102,13 +119,24 @@ bool animation(const AnimationRequest& request, const std::string& path) {
 
 }  // namespace
 
+std::vector<int> pictures_of_frames(const std::vector<double>& moved, int pictures) {
+    std::vector<int> counts(moved.size());
+    const auto place = [&](std::size_t frame) {
+        return moved.back() > 0 ? static_cast<int>(std::lround(moved[frame] / moved.back() * (pictures - 1))) : 0;
+    };
+    for (std::size_t i = 0; i + 1 < moved.size(); ++i) counts[i] = place(i + 1) - place(i);
+    counts.back() = 1;
+    return counts;
+}
+
 Size animation_size(Size map) {
     constexpr int k_widest = 1280;
     if (map.width <= k_widest) return map;
-    return {k_widest, std::max(480, map.height * k_widest / map.width)};
+    return {k_widest, std::max(480, map.height * k_widest / map.width), 0, "", map.turns};
 }
 
-AnimationSource animation_source(const ResultReader& result, const MapSource& source, const std::string& quantity) {
+AnimationSource animation_source(const ResultReader& result, const MapSource& source, const std::string& quantity,
+                                 Size size) {
     const ParticleQuantity* const particles = find_particle_quantity(quantity);
     const std::string colours = particles != nullptr ? particles->colours : quantity;
     const std::string greatest = "max_" + colours + ".tif";
@@ -123,6 +151,8 @@ AnimationSource animation_source(const ResultReader& result, const MapSource& so
     for (const StoredFrame& frame : animation.frames) times.push_back(frame.time);
     animation.figures = result.figures_at(times);
     animation.source.notes.clear();  // those of the end
+    animation.source.style.size = size;
+    animation.source.longitude_latitude = longitude_latitude(animation.layer.values.grid.crs_wkt);  // of its own thread
     if (particles != nullptr) {
         animation.layer.title = source.style.words(particles->title);
         open_above(animation.layer);

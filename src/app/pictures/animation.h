@@ -28,18 +28,24 @@ struct AnimationSource {
 
 /// Returns the source for a result, with its frames of "depth", "velocity" or "particles". Throws Error(input) if it
 /// has none.
-AnimationSource animation_source(const ResultReader& result, const MapSource& source, const std::string& quantity);
+AnimationSource animation_source(const ResultReader& result, const MapSource& source, const std::string& quantity,
+                                 Size size);
+
+/// Returns how many pictures of a film each frame is, in proportion to what moves until the next one; the last is one.
+/// @param moved volume that has moved up to each frame, rising
+/// @param pictures all together, if anything moves
+std::vector<int> pictures_of_frames(const std::vector<double>& moved, int pictures);
 
 /// An animation; 2-D or 3-D.
 struct AnimationRequest {
     AnimationSource source;
     bool view_3d = false;
-    Size size;
     std::function<bool()> stop_requested = {};  ///< polled before every frame; empty: never
 };
 
-/// Writes the frames of a result as an animation: .mp4 at 25 frames per second (a frame of the result is shown longer
-/// if there are few) or .gif. Returns false if it was stopped before the end: then there is no animation. Throws Error.
+/// Writes the frames of a result as an animation at 25 pictures per second, .mp4 or .gif, paced by the motion: the same
+/// volume moves to other cells in every second, and frames between which nothing visible moves are left out. Returns
+/// false if it was stopped before the end: then there is no animation. Throws Error.
 bool write_animation(const AnimationRequest& request, const std::string& path);
 
 }  // namespace frana::app

@@ -34,7 +34,7 @@ ForeignMap read_foreign_map(const std::string& file, const std::optional<std::st
                             const Words& words) {
     ForeignMap map;
     map.source.style.words = words;
-    map.layer = read_map_layer(file, {}, words, true);
+    map.layer = read_map_layer(file, words, true);
     if (map.layer.unit.empty()) map.layer.unit = unit.value_or("");
     if (above) {
         for (double& value : map.layer.values.values)

@@ -113,8 +113,7 @@ void hide_zeros(Raster& raster) {
 }
 
 /// Sets title and colours of a raster of the table; returns false for others.
-bool set_from_table(const std::string& name, const ClassSpec& classes, const Words& words, const std::string& direction,
-                    MapLayer& layer) {
+bool set_from_table(const std::string& name, const Words& words, const std::string& direction, MapLayer& layer) {
     const ResultRaster* const row = find_result_raster(name);
     if (row == nullptr || !row->is_drawn()) return false;
     layer.title = raster_title(*row, name, words);
@@ -122,7 +121,7 @@ bool set_from_table(const std::string& name, const ClassSpec& classes, const Wor
     if (!direction.empty()) layer.legend_title = layer.title + ", " + words(direction);
     layer.is_normal_depth = direction == k_normal;
     layer.palette = row->palette;
-    layer.classes = class_bounds(*row, classes, maximum(layer.values));
+    layer.classes = class_bounds(*row, maximum(layer.values));
     if (row->zero_is_blank) hide_zeros(layer.values);
     return true;
 }
@@ -234,8 +233,7 @@ std::optional<std::string> probability_name(const std::string& path) {
     return probability_of(gis::read_raster_text(path));
 }
 
-MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const Words& words, bool foreign,
-                        std::optional<Raster> values) {
+MapLayer read_map_layer(const std::string& path, const Words& words, bool foreign, std::optional<Raster> values) {
     const gis::RasterText text = gis::read_raster_text(path);
     MapLayer layer;
     layer.values = values ? *std::move(values) : gis::read_result_raster(path);
@@ -255,8 +253,8 @@ MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const
     }
     const auto probability = probability_of(text);
     const std::string direction = depth_direction(text.description);
-    const bool is_known = probability ? set_from_table(*probability, classes, words, direction, layer)
-                                      : !foreign && set_from_table(kind, classes, words, direction, layer);
+    const bool is_known = probability ? set_from_table(*probability, words, direction, layer)
+                                      : !foreign && set_from_table(kind, words, direction, layer);
     if (!is_known) {
         layer.title = bare_description(text.description);
         if (layer.title.empty()) layer.title = layer.name;
@@ -278,8 +276,8 @@ MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const
     return layer;
 }
 
-MapLayer read_greatest_layer(const std::vector<std::string>& paths, const ClassSpec& classes, const Words& words) {
-    MapLayer layer = read_map_layer(paths.front(), classes, words);
+MapLayer read_greatest_layer(const std::vector<std::string>& paths, const Words& words) {
+    MapLayer layer = read_map_layer(paths.front(), words);
     for (std::size_t i = 1; i < paths.size(); ++i) {
         const Raster more = gis::read_result_raster(paths[i]);
         if (!more.grid.same_cells(layer.values.grid))
@@ -289,7 +287,7 @@ MapLayer read_greatest_layer(const std::vector<std::string>& paths, const ClassS
             greatest = std::fmax(greatest, value);  // a number takes precedence over nodata
         });
     }
-    set_from_table(layer.name.substr(0, layer.name.find_last_of('_')), classes, words,
+    set_from_table(layer.name.substr(0, layer.name.find_last_of('_')), words,
                    depth_direction(gis::read_raster_text(paths.front()).description), layer);
     layer.time.reset();
     return layer;

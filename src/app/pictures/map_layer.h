@@ -55,7 +55,7 @@ struct MapLayer {
 /// texts (description, unit, classes with colours, TIME_S); `classes`: as the scene chose them. `foreign`: a file of
 /// another program, in which a value of 0 means no flow. `values`: the file's where they are in memory. Throws
 /// Error(input).
-MapLayer read_map_layer(const std::string& path, const ClassSpec& classes, const Words& words, bool foreign = false,
+MapLayer read_map_layer(const std::string& path, const Words& words, bool foreign = false,
                         std::optional<Raster> values = std::nullopt);
 
 /// Returns what a map of a result's own raster must say itself, since maps are passed on without the log: the meaning
@@ -72,7 +72,7 @@ inline constexpr const char *k_central_friction = "central scene", *k_largest_fr
 std::optional<std::string> probability_name(const std::string& path);
 
 /// Returns the greatest values of frames of one quantity, coloured as its maximum over time. Throws Error(input).
-MapLayer read_greatest_layer(const std::vector<std::string>& paths, const ClassSpec& classes, const Words& words);
+MapLayer read_greatest_layer(const std::vector<std::string>& paths, const Words& words);
 
 /// Gives the last class no upper end: particles are faster than the nodes whose values define the classes.
 void open_above(MapLayer& layer);

@@ -54,8 +54,8 @@ std::string release_words(const MapSource& source) {
 
 std::vector<render::Outline> outlines_of(const MapSource& source, const MapLayer& layer) {
     const bool classes = !layer.categories.empty();
-    std::vector<render::Outline> outlines = layer.exposed;
-    outlines.insert(outlines.end(), source.marks.begin(), source.marks.end());
+    std::vector<render::Outline> outlines = source.marks;
+    outlines.insert(outlines.end(), layer.exposed.begin(), layer.exposed.end());
     // Buildings or zones of a whole country do not make the flow a dot.
     if (source.extent.grid.columns > 0)
         for (render::Outline& mark : outlines) mark.frames_map = false;
@@ -216,10 +216,12 @@ std::string map_sources(const MapSource& source) {
     std::vector<std::string> parts;
     if (!source.terrain_source.empty())
         parts.push_back(words.labelled(words("Terrain"), elided(valid_utf8(source.terrain_source), k_longest_source)));
-    if (!source.style.background.empty()) {
-        const std::string file = std::filesystem::path(source.style.background).filename().string();
-        parts.push_back(words.labelled(words("Base map"), elided(valid_utf8(file), k_longest_source)));
-    }
+    const auto add_file = [&](const std::string& label, const std::string& file) {
+        const std::string name = std::filesystem::path(file).filename().string();
+        if (!file.empty()) parts.push_back(words.labelled(words(label), elided(valid_utf8(name), k_longest_source)));
+    };
+    add_file(worded("Base map"), source.style.background);
+    add_file(worded("Surroundings"), source.style.context);
     if (const std::string by = page_attribution(source); !by.empty()) parts.push_back(by);
     parts.push_back(own);
     return joined(parts, "; ");
@@ -295,7 +297,6 @@ render::MapSpec unprinted(render::MapSpec spec) {
     spec.print = {};
     spec.block = {};
     spec.series.reset();
-    spec.turn = {};
     return spec;
 }
 

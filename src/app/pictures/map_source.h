@@ -40,6 +40,7 @@ struct MapStyle {
     Size size = *size_from_text("auto");
     std::vector<std::string> formats{"png"};  ///< of png, pdf, svg
     std::string background;                   ///< orthophoto or topographic raster; empty: the relief
+    std::string context;                      ///< file of the surroundings; empty: none
     std::string attribution;                  ///< of data and author, at the foot
     std::optional<double> scale;              ///< of maps on paper, n of 1 : n
     std::optional<double> turn_deg{0};  ///< of maps on their page; none: the flow's longer axis along the page's side
@@ -68,7 +69,7 @@ struct MapSource {
     std::vector<std::string> release_names{};  ///< that its polygons have in the user's file
     MultiPolygon scar;                         ///< empty: none
     MultiPolygon trace{};                      ///< drawn on values of the ground
-    std::vector<render::Outline> marks;        ///< zones, gauges, sections, profiles
+    std::vector<render::Outline> marks;        ///< surroundings, zones, gauges, sections, profiles
     bool foreign = false;                      ///< computed by another program
     MapStyle style;
 };

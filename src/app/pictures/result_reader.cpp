@@ -346,7 +346,7 @@ const MapLayer& ResultReader::greatest(const std::string& quantity) const {
     }
     std::vector<std::string> files;
     for (const StoredFrame& frame : frames()) files.push_back(frame.raster_file(quantity));
-    return greatest_.emplace(quantity, read_greatest_layer(files, classes(), words_)).first->second;
+    return greatest_.emplace(quantity, read_greatest_layer(files, words_)).first->second;
 }
 
 void ResultReader::show_figures_of(double time, MapLayer& layer) const {
@@ -399,7 +399,7 @@ MapLayer ResultReader::layer_of(const std::string& name) const {
         });
         if (of_particles != nullptr) return particle_layer(*nearest, *of_particles);
         const std::string file = nearest->raster_file(kind);
-        MapLayer layer = read_map_layer(file, classes(), words_);
+        MapLayer layer = read_map_layer(file, words_);
         require_cells(layer.values.grid, file, grid(), path(grid_raster() + ".tif"));
         layer.source.insert(0, "frames/");
         layer.name = kind + "_t" + number_text(nearest->time, 6);
@@ -410,18 +410,20 @@ MapLayer ResultReader::layer_of(const std::string& name) const {
         return layer;
     }
     if (has(name + ".tif")) {
-        MapLayer layer = read_map_layer(path(name + ".tif"), classes(), words_, false, in_memory(name));
+        MapLayer layer = read_map_layer(path(name + ".tif"), words_, false, in_memory(name));
         // Other rasters of the user beside those of a run may have any grid; that of the comparison has all of a
         // surveyed outline that reaches beyond them.
         const ResultRaster* const row = find_result_raster(name);
         if (row != nullptr && row->in_result() && !(name == "comparison" && layer.values.grid.covers(grid())))
             require_cells(layer.values.grid, path(name + ".tif"), grid(), path(grid_raster() + ".tif"));
+        if (row != nullptr && row->is_flow_depth && has(raster_file("release")) && has("max_depth.tif"))
+            layer.classes = depth_classes();
         if (name == "comparison" && has(k_comparison_file))
             add_statistics(path(k_comparison_file), words_, layer.notes);
         return layer;
     }
     const std::string study = convergence_directory(directory_) + "/" + name + ".tif";
-    if (name == RasterName::uncertainty && fs::exists(study)) return read_map_layer(study, classes(), words_);
+    if (name == RasterName::uncertainty && fs::exists(study)) return read_map_layer(study, words_);
     std::string known = joined(drawable(), ", ");
     if (has(k_frame_list)) {
         known += ", depth@SECONDS, velocity@SECONDS, particles@SECONDS";
@@ -430,6 +432,14 @@ MapLayer ResultReader::layer_of(const std::string& name) const {
         if (present(RasterName::cohesion_ratio)) known += ", particle_cohesion@SECONDS";
     }
     throw Error(ErrorKind::input, Problem{"is not a raster of this result", "map", name, known, ""});
+}
+
+const std::vector<double>& ResultReader::depth_classes() const {
+    if (depth_classes_.empty()) {
+        const Raster deepest = raster_on(grid(), RasterName::max_depth), release = raster_on(grid(), "release");
+        depth_classes_ = class_bounds(*find_result_raster(RasterName::max_depth), deepest, release);
+    }
+    return depth_classes_;
 }
 
 std::vector<std::string> ResultReader::drawable() const {
@@ -444,7 +454,8 @@ std::vector<std::string> ResultReader::drawable() const {
 
 /// Places and lines of the run; files that no longer exist are omitted.
 std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) const {
-    constexpr Rgb k_zones{110, 70, 20}, k_obstacles{90, 90, 90}, k_lines{70, 50, 120}, k_gauges{150, 0, 60};
+    constexpr Rgb k_context{45, 45, 55}, k_zones{110, 70, 20}, k_obstacles{90, 90, 90}, k_lines{70, 50, 120},
+        k_gauges{150, 0, 60};
     std::vector<render::Outline> all;
     const auto areas = [&](const std::string& key, const std::string& label, Rgb colour, bool is_dashed) {
         const auto file = scene_value(key);
@@ -465,6 +476,13 @@ std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) con
             }
         if (!outline.lines.empty()) all.push_back(std::move(outline));
     };
+    if (const auto file = scene_value("output.map-context"))
+        attempt([&] {
+            render::Outline outline{words_("Surroundings"), {}, k_context, 1.4, false};
+            for (const gis::Feature& one : gis::read_features(*file, crs_wkt, "output.map-context", "", "").features)
+                add(one.shape, outline);
+            all.push_back(std::move(outline));
+        });
     areas("terrain.friction-zones", worded("Friction zones"), k_zones, true);
     areas("terrain.obstacles", worded("Obstacles"), k_obstacles, false);
     if (const auto walls = scene_value("terrain.walls"))

@@ -67,8 +67,6 @@ class ResultReader {
     [[nodiscard]] double scene_number(const std::string& key, double otherwise) const;
 
     [[nodiscard]] const Words& words() const noexcept { return words_; }
-    /// The classes of colours that its scene chose; the default ones in older results.
-    [[nodiscard]] ClassSpec classes() const;
 
     /// Returns NAME.tif for a map; "depth@12.5", "cohesion_ratio@12.5" (any raster of the frames), "particles@12.5" and
     /// "particle_cohesion@12.5" name the frame nearest in time [s]; "uncertainty" is that of `frana converge` beside
@@ -101,6 +99,8 @@ class ResultReader {
   private:
     /// As map_layer(), without the exposed features.
     [[nodiscard]] MapLayer layer_of(const std::string& name) const;
+    /// The classes of all depths of the flow, from the greatest over time.
+    [[nodiscard]] const std::vector<double>& depth_classes() const;
     /// Values of NAME.tif from memory, as the file has them.
     [[nodiscard]] std::optional<Raster> in_memory(const std::string& name) const;
     [[nodiscard]] MapStyle style() const;
@@ -133,6 +133,7 @@ class ResultReader {
     mutable std::optional<std::vector<IniEntry>> scene_;        ///< likewise
     mutable std::optional<std::string> crs_;                    ///< of its rasters in memory, likewise
     mutable std::optional<GridSpec> grid_;                      ///< likewise
+    mutable std::vector<double> depth_classes_;                 ///< likewise
     mutable std::vector<StoredFrame> frames_;                   ///< likewise
     mutable std::map<std::string, MapLayer> greatest_;          ///< likewise
     mutable std::optional<std::vector<gis::Feature>> exposed_;  ///< likewise

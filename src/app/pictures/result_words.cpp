@@ -102,16 +102,13 @@ Language ResultReader::own_language() const {
     return language_of_code(code.value_or("")).value_or(Language::english);
 }
 
-ClassSpec ResultReader::classes() const {
-    return {scene_value("output.classes") != k_classes_to_maximum};
-}
-
 MapStyle ResultReader::style() const {
     MapStyle style;
     style.words = words_;
     if (const auto size = size_from_text(scene_value("output.map-size").value_or(""))) style.size = *size;
     if (const auto formats = scene_value("output.map-formats")) style.formats = words_of(*formats);
     style.background = scene_value("output.map-background").value_or("");
+    style.context = scene_value("output.map-context").value_or("");
     style.attribution = scene_value("output.map-attribution").value_or("");
     if (const auto scale = scene_value("output.map-scale")) style.scale = number_from_text(*scale);
     style.author = scene_value("output.map-author").value_or("");

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <future>
 #include <new>
+#include <utility>
 
 #include "app/pictures/animation.h"
 #include "app/pictures/charts.h"
@@ -122,13 +124,13 @@ void draw_all_charts(const ResultReader& written, const MapSource& source, Drawi
     });
 }
 
-void draw_animation(const ResultReader& written, const MapSource& source, Drawings& drawings) {
-    const std::string path = written.path(k_animation_file);
-    if (!written.has(k_frame_list) || written.frames().empty()) return;
-    drawings.attempt(k_animation_file, [&] {
-        AnimationRequest animation{animation_source(written, source, "depth"), false,
-                                   animation_size(source.style.size)};
-        animation.stop_requested = [] { return stop_signal() != 0; };
+/// Draws the film on a thread of its own, beside the maps: it shares nothing with them. Whether it came to its end; an
+/// invalid one: there is none to draw.
+std::future<bool> begin_animation(const ResultReader& written, const MapSource& source) {
+    if (!written.has(k_frame_list) || written.frames().empty()) return {};
+    AnimationRequest animation{animation_source(written, source, "depth", animation_size(source.style.size))};
+    animation.stop_requested = [] { return stop_signal() != 0; };
+    return std::async(std::launch::async, [animation = std::move(animation), path = written.path(k_animation_file)] {
         return write_animation(animation, path);
     });
 }
@@ -164,6 +166,8 @@ PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log) {
         ResultReader written(request.folder);
         if (request.run != nullptr) written.take_values_of(*request.run);
         const MapSource source = map_source(written, request);
+        std::future<bool> film;
+        if (output.animation) drawings.guard(k_animation_file, [&] { film = begin_animation(written, source); });
         if (output.report) drawings.guard(k_map_page_file, [&] { write_map_page(written, source); });
         LayerDrawer drawer(source);
         drawer.draw_at_next_scale([&](const Sentence& warning) { log.warn(warning); });
@@ -180,7 +184,7 @@ PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log) {
             });
         }
         if (maps && output.charts) draw_all_charts(written, source, drawings);
-        if (output.animation) draw_animation(written, source, drawings);
+        if (film.valid()) drawings.attempt(k_animation_file, [&] { return film.get(); });
         if (const auto warning = letter_warning()) log.warn(*warning);
     });
     return drawings.outcome();

@@ -259,13 +259,9 @@ void publish_project(const std::string& folder, const std::string& title) {
 void publish_frame_styles(const std::string& folder) {
     const ResultReader result(folder);
     for (const ResultRaster* row : frame_rasters(result)) {
-        // Only classes up to the maximum need the values.
-        const ClassSpec chosen = result.classes();
-        const bool known = !row->bounds.empty() || (chosen.fixed && !row->classes.empty());
-        const std::vector<double> bounds =
-            known ? class_bounds(*row, chosen, 0) : result.map_layer(row->name + "@0").classes;
+        const MapLayer layer = result.map_layer(row->name + "@0");
         gis::write_styles(result.path(frame_style(row->name) + ".tif"),
-                          gis::class_stops(palette(row->palette), bounds, row->unit, result.words()), row->unit,
+                          gis::class_stops(palette(row->palette), layer.classes, row->unit, result.words()), row->unit,
                           gis::StyleKind::classed, result.words()(row->title));
     }
 }

@@ -27,14 +27,13 @@ namespace frana::app {
 namespace {
 
 void write(const ResultDirectory& directory, const ResultRaster& row, const Raster& raster,
-           const std::map<std::string, std::string>& origin, const OutputSpec& output, const Words& words) {
+           const std::vector<double>& classes, const std::map<std::string, std::string>& origin,
+           const OutputSpec& output, const Words& words) {
     const std::string file = directory.path(row.name + ".tif");
     gis::write_geotiff(file, raster, {row.name, description_of(row, row.name, output), row.unit, origin});
     if (row.is_drawn())
-        gis::write_styles(
-            file,
-            gis::class_stops(palette(row.palette), class_bounds(row, output.classes, maximum(raster)), row.unit, words),
-            row.unit, gis::StyleKind::classed, words(row.title));
+        gis::write_styles(file, gis::class_stops(palette(row.palette), classes, row.unit, words), row.unit,
+                          gis::StyleKind::classed, words(row.title));
     else  // elevations
         gis::write_style(file, gis::relief_style(row.name, words(row.title)));
 }
@@ -105,16 +104,22 @@ std::map<std::string, std::string> result_tags(const Prepared& prepared, const R
 
 void publish_rasters(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
     const std::map<std::string, std::string> origin = result_tags(prepared, result);
+    const ResultRaster& deepest = *find_result_raster(RasterName::max_depth);
+    const std::vector<double> depths =
+        class_bounds(deepest, result.raster(RasterName::max_depth), result.raster("release"));
     for (const ResultRaster& row : result_rasters())
         if (const Raster* raster = result.find_raster(row.name))
-            write(directory, row, *raster, origin, prepared.spec.output, words_of(prepared.spec));
+            write(directory, row, *raster, row.is_flow_depth ? depths : class_bounds(row, maximum(*raster)), origin,
+                  prepared.spec.output, words_of(prepared.spec));
 }
 
 void publish_dtm(const Prepared& prepared, const ResultDirectory& directory,
                  const std::map<std::string, std::string>& friction_items) {
     std::map<std::string, std::string> origin = provenance(prepared);
     const auto write_one = [&](const std::string& name, const Raster& raster) {
-        write(directory, *find_result_raster(name), raster, origin, prepared.spec.output, words_of(prepared.spec));
+        const ResultRaster& row = *find_result_raster(name);
+        write(directory, row, raster, class_bounds(row, maximum(raster)), origin, prepared.spec.output,
+              words_of(prepared.spec));
     };
     write_one(RasterName::dtm, prepared.scene.terrain);
     if (!prepared.friction) return;

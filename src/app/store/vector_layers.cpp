@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/vector_layers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
+#include <utility>
 
 #include "app/store/result_files.h"
 #include "app/text/number_text.h"
@@ -59,10 +62,24 @@ std::vector<ResultRaster> main_rasters() {
     return rows;
 }
 
-std::vector<double> class_bounds(const ResultRaster& row, const ClassSpec& chosen, double maximum) {
+std::vector<double> class_bounds(const ResultRaster& row, double maximum) {
     if (!row.bounds.empty()) return row.bounds;
-    if (chosen.fixed && !row.classes.empty()) return fixed_classes(row.classes);
-    return class_bounds(row.progressive, maximum);
+    std::vector<double> bounds = fixed_classes(row.classes);
+    constexpr std::size_t k_fewest = 5;  // bounds: fewer show nothing of a flow
+    const auto last = std::find_if(bounds.begin(), bounds.end(), [&](double bound) { return bound >= maximum; });
+    if (last != bounds.end()) bounds.erase(last + 1, bounds.end());
+    return bounds.size() >= k_fewest ? bounds : class_bounds(row.progressive, maximum);
+}
+
+std::vector<double> class_bounds(const ResultRaster& row, const Raster& values, const Raster& release) {
+    double moved = k_no_data, all = k_no_data;
+    values.values.for_each_stored([&](std::size_t cell, double value) {
+        all = std::fmax(all, value);
+        if (!(release.values[cell] > 0)) moved = std::fmax(moved, value);
+    });
+    std::vector<double> bounds = class_bounds(row, moved > 0 ? moved : all);
+    if (row.bounds.empty() && all > bounds.back()) bounds.push_back(std::numeric_limits<double>::infinity());
+    return bounds;
 }
 
 std::vector<double> class_bounds(bool progressive, double maximum) {

@@ -17,11 +17,15 @@ namespace frana::app {
 /// Returns the rasters that every run produces from the flow.
 std::vector<ResultRaster> main_rasters();
 
-/// Returns class bounds of a legend, the same in the GIS style and on the maps: those of the row, else the fixed ones
-/// of its quantity (the last is infinite), else or by choice round ones up to `maximum`, which may be NaN (nothing
-/// flowed).
-std::vector<double> class_bounds(const ResultRaster& row, const ClassSpec& chosen, double maximum);
-/// The last: round ones up to the maximum.
+/// Returns class bounds of a legend, the same in the GIS style and on the maps: those of the row, else those of its
+/// quantity as far as values up to `maximum` need them, else or where these are few round ones up to the maximum, which
+/// may be NaN (nothing flowed).
+std::vector<double> class_bounds(const ResultRaster& row, double maximum);
+/// The same up to the greatest depth outside the release, which hardly moved where it is deepest: what is deeper is in
+/// an open class.
+/// @param release its thickness, on the same cells
+std::vector<double> class_bounds(const ResultRaster& row, const Raster& values, const Raster& release);
+/// The last of the former: round ones up to the maximum.
 std::vector<double> class_bounds(bool progressive, double maximum);
 
 // Release and survey must be distinguishable from each other and from every palette.

@@ -165,8 +165,7 @@ std::string size_forms() {
 }
 
 std::optional<Size> size_from_text(const std::string& text) {
-    if (text == "auto") return Size{1600, 1200, 150, "", true};
-    if (text.starts_with("A")) return page_from_text(text);
+    if (text == "auto" || text.starts_with("A")) return page_from_text(text == "auto" ? "A4" : text);
     const auto cross = text.find('x');
     if (cross == std::string::npos) return std::nullopt;
     const auto width = integer_from_text(text.substr(0, cross)), height = integer_from_text(text.substr(cross + 1));

@@ -46,8 +46,8 @@ const std::vector<std::string>& picture_formats() {
 void add_pictures(std::vector<Parameter>& list) {
     list.push_back(understood_text(
         "output.map-size", FRANA_MEMBER(output.map_size), size_forms(), "Write for example 1600x1200 or A4@300",
-        "Size of maps, views and charts, in pixels or as a page; auto: 1600x1200. It and a page "
-        "without a direction are upright for maps of a flow taller than wide.",
+        "Size of maps, views and charts, in pixels or as a page; auto: A4. A page without a direction is upright for "
+        "maps of a flow taller than wide.",
         [](const std::string& value) { return size_from_text(value).has_value(); }));
     list.push_back(
         declare::without(word_list("output.map-formats", FRANA_MEMBER(output.map_formats), {}, picture_formats(),
@@ -57,6 +57,9 @@ void add_pictures(std::vector<Parameter>& list) {
         holds("raster",
               text("output.map-background", FRANA_MEMBER(output.map_background), "file",
                    "Orthophoto or topographic raster (bytes) under maps and views, in its own CRS.", "shaded relief")));
+    list.push_back(holds("points, lines or polygons",
+                         text("output.map-context", FRANA_MEMBER(output.map_context), "file",
+                              "Roads, rivers, buildings drawn on maps and views, in their own CRS.", "none")));
     list.push_back(number("output.map-scale", FRANA_MEMBER(output.map_scale), "", k_map_scales,
                           "Scale of maps on paper sizes (A4, A3): 5000 for 1 : 5000.",
                           "the least round one at which the flow fits the page"));
@@ -81,16 +84,11 @@ void add_pictures(std::vector<Parameter>& list) {
 namespace {
 
 using declare::data_file;
-using declare::option;
 using declare::rising_numbers;
 
 }  // namespace
 
 void add_extra_output(std::vector<Parameter>& list) {
-    list.push_back(option("output.classes", FRANA_MEMBER(output.classes.fixed),
-                          declare::Words<bool>{{"fixed", true}, {k_classes_to_maximum, false}},
-                          "Classes of colours on maps, in films and in GIS styles: fixed, so that results can be "
-                          "compared, or round steps up to the greatest value of each raster."));
     list.push_back(choice("output.extent", FRANA_MEMBER(output.extent), {"auto", "map", "reached"},
                           "What the rasters of a finished result cover: the whole map, or the rectangle round "
                           "everything released, reached or surveyed, with a margin; auto: reached on maps of over " +

@@ -9,7 +9,7 @@
 namespace frana {
 
 /// Classes of one quantity on maps, in films and in GIS styles: from 0 to the first bound, between neighbouring bounds,
-/// and above the last.
+/// and above the last; of these, as many as the values need.
 struct QuantityClasses {
     std::string name;  ///< "max-depth"
     std::string unit;  ///< rasters of this unit have the classes of its first row, unless theirs names another
@@ -28,12 +28,6 @@ struct QuantityClasses {
 /// - energy head: 1.5 m is the Austrian limit of the red zone of torrents;
 /// - arrival: whole minutes after the first one, as warning times are given; no published steps are known.
 const std::vector<QuantityClasses>& quantity_classes();
-
-/// output.classes
-struct ClassSpec {
-    bool fixed = true;  ///< false: up to the greatest value of each raster
-};
-inline constexpr const char* k_classes_to_maximum = "to-maximum";
 
 /// Returns {0, 0.5, ..., infinity}; empty for a name that is not in the list.
 std::vector<double> fixed_classes(const std::string& quantity);

@@ -122,8 +122,7 @@ struct OutputSpec {
     std::string depth = "vertical";  ///< or "normal" to the bed: of rasters, maps and classes
     std::string map_size = "auto";
     std::vector<std::string> map_formats{"png"};
-    ClassSpec classes;
-    std::optional<std::string> map_background;
+    std::optional<std::string> map_background, map_context;
     std::optional<std::string> map_attribution;
     std::optional<double> map_scale;  ///< n of 1 : n
     std::optional<std::string> map_author, map_logo, map_date;
@@ -205,7 +204,7 @@ inline bool gives_by_table(const std::string& key) {
 }
 /// Whether a key names a friction table or says how it is read.
 bool reads_friction_table(const std::string& key);
-/// Returns the interval of frames [s]: as given, else a round number near a sixtieth of the end time; 0 if nothing
+/// Returns the interval of frames [s]: as given, else infinity, of frames that follow the motion; 0 if nothing
 /// needs frames.
 double frame_interval(const SceneSpec& scene);
 /// Returns the name of a scene: that of its file, or of its folder if the file is just "scene.ini".

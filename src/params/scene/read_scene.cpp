@@ -190,7 +190,7 @@ constexpr std::pair<const char*, const char*> k_gone_keys[] = {
     {"time.moving-speed", "Remove it: it is 0.1 m/s"},
     {"material.yield-ratio", "Remove it: the root is exact"},
     {"material.yield-regularisation", "Remove it: it is 0.01 1/s"},
-    {"output.classes-*", "Remove it, or set output.classes = to-maximum"}};
+    {"output.classes*", "Remove it: classes follow the values of the result"}};
 
 }  // namespace
 

@@ -144,6 +144,7 @@ std::optional<InputFiles::Sample> InputFiles::file_sample_of(const std::string& 
         {"material.forest",
          {scene, {shape, "material.friction-table=forest.ini", "material.return-period=30"}, box(100)}},
         {"output.map-background", {scene, {tif}, picture}},
+        {"output.map-context", {scene, {shape}, line}},
         {"output.map-logo", {scene, {name + "=file.png"}, logo}},
         {"output.gauges", {scene, {shape}, point}},
         {"output.cross-sections", {scene, {shape}, line}},

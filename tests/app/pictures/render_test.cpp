@@ -4,6 +4,8 @@
 #include <sstream>
 
 #include "app/pictures/animation.h"
+#include "app/pictures/map_source.h"
+#include "params/grammar/value_text.h"
 #include "support/checked_scene.h"
 #include "support/problems.h"
 
@@ -82,10 +84,60 @@ TEST_F(Render, AFrameShowsItsOwnFigures) {
 TEST_F(Render, AFilmAndItsLegendAreNamedAfterWhatItShows) {
     const app::ResultReader result(path("result"));
     for (const auto& [quantity, title] : {std::pair{"depth", "Flow depth"}, {"velocity", "Flow velocity"}}) {
-        const app::MapLayer layer = app::animation_source(result, result.map_source(), quantity).layer;
+        const app::MapLayer layer = app::animation_source(result, result.map_source(), quantity, {640, 480}).layer;
         EXPECT_EQ(layer.title, title);
         EXPECT_TRUE(layer.legend_title.starts_with(title)) << layer.legend_title;
     }
+}
+
+/// A flow of the given length and width, its axis turned anticlockwise from east.
+render::MapSpec map_of_flow(double length, double width, double deg, const std::string& size = "auto") {
+    static app::MapSource source;
+    static app::MapLayer layer;
+    source = {};
+    layer = {};
+    source.style.size = *size_from_text(size);
+    layer.values = Raster(GridSpec{0, 2000, 10, 200, 200, ""}, k_no_data);
+    for (std::int64_t row = 0; row < 200; ++row)
+        for (std::int64_t column = 0; column < 200; ++column) {
+            const Point at = layer.values.grid.cell_centre(row, column);
+            const double turn = deg * 3.14159265 / 180, x = at.x - 1000, y = at.y - 1000;
+            if (std::abs(x * std::cos(turn) + y * std::sin(turn)) < length / 2 &&
+                std::abs(y * std::cos(turn) - x * std::sin(turn)) < width / 2)
+                layer.values.at(row, column) = 1;
+        }
+    source.extent = layer.values;
+    return app::map_spec(source, layer);
+}
+
+// The page stands or lies as the flow does.
+TEST(PageOfAFlow, FollowsTheFlow) {
+    const render::MapSpec across = map_of_flow(1600, 500, 0), upright = map_of_flow(1600, 500, 90),
+                          round = map_of_flow(900, 800, 42);
+    EXPECT_EQ((std::pair{across.width, across.height}), (std::pair{1754, 1240}));
+    EXPECT_EQ((std::pair{upright.width, upright.height}), (std::pair{1240, 1754}));
+    EXPECT_EQ(upright.print.sheet, "A4-portrait");
+    EXPECT_GT(round.width, round.height);
+    EXPECT_EQ(map_of_flow(1600, 500, 90, "800x600").width, 800) << "a size in pixels stays";
+}
+
+TEST(FilmPace, IsTheMotionNotTheClock) {
+    // Twice as much moves before the third frame as before the second; after the fourth nothing that could be seen.
+    const std::vector<double> moved{0, 10, 30, 40, 40, 40.01};
+    const std::vector<int> pictures = app::pictures_of_frames(moved, 201);
+    EXPECT_EQ(pictures, (std::vector<int>{50, 100, 50, 0, 0, 1}));
+    EXPECT_EQ(app::pictures_of_frames({0, 0, 0}, 200), (std::vector<int>{0, 0, 1})) << "nothing moves";
+    EXPECT_EQ(app::pictures_of_frames({0}, 6), std::vector<int>{1});
+    // Whatever the frames, equal parts of the film have equal parts of the motion, to a picture.
+    std::vector<double> uneven{0};
+    for (int i = 1; i < 60; ++i) uneven.push_back(uneven.back() + 1.0 / (1 + (i * 37) % 11));
+    const std::vector<int> counts = app::pictures_of_frames(uneven, 200);
+    double played = 0;
+    for (std::size_t i = 0; i < uneven.size(); ++i) {
+        EXPECT_NEAR(played / 199, uneven[i] / uneven.back(), 0.5 / 199 + 1e-12);
+        played += counts[i];
+    }
+    EXPECT_EQ(played, 200);
 }
 
 TEST_F(Render, AnyRasterOfTheResultAndAnyTime) {

@@ -102,7 +102,7 @@ TEST_F(FlightFiles, AgreeWithTheParabola) {
     }
     EXPECT_NEAR(highest, json_number(summary, "highest_m"), 1e-3);
     EXPECT_GT(only_flown_over, 0U);
-    const auto notes = app::read_map_layer(path("result/max_depth.tif"), {}, Words(Language::english)).notes;
+    const auto notes = app::read_map_layer(path("result/max_depth.tif"), Words(Language::english)).notes;
     EXPECT_EQ(notes, std::vector<std::string>{"What flies higher above the ground than a house is not shown"});
     EXPECT_NE(read_text(path("result/report.html")).find("flew over edges"), std::string::npos);
     for (const char* style : {"jump_height.qml", "jump_height.sld"})

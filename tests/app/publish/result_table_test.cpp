@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The files of a result equal its table of rasters, and its values are computed once.
-#include <limits>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "analysis/trace.h"
 #include "app/input/share_directory.h"
 #include "app/pictures/result_reader.h"
 #include "core/error.h"
+#include "core/words/number_text.h"
 #include "gis/vector/vector_in.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/result_rasters.h"
@@ -61,23 +63,26 @@ TEST_F(ResultTable, MapsShowTheValuesOfTheSummary) {
     EXPECT_THROW(notes(), Error);
 }
 
-// Maps, frames and GIS styles of all runs have the same classes: the scene's own, or the fixed ones.
+// Maps, frames and GIS styles of a run have the same classes, as many as its values need.
 TEST_F(ResultTable, ClassesAreTheSameOnMapsFramesAndInStyles) {
     run(k_voellmy + "[output]\nmaps = off\nanimation = off\n", "old");
     const app::ResultReader result(path("old"));
-    const std::vector<double> expected = fixed_classes("max-depth");
-    for (const std::string name : {"max_depth", "final_depth", "depth@1"})
-        EXPECT_EQ(result.map_layer(name).classes, expected) << name;
-    EXPECT_EQ(result.map_layer("max_velocity").classes, fixed_classes("max-velocity"));
-    for (const std::string style : {"max_depth", "release", "frames/depth"})
-        for (const std::string label : {"0 \u2013 0.2 m", "0.5 \u2013 1 m", "> 50 m"})
+    const std::vector<double> classes = result.map_layer("max_depth").classes;
+    for (const std::string name : {"final_depth", "depth@1"})
+        EXPECT_EQ(result.map_layer(name).classes, classes) << name;
+    for (const std::string name : {"max_depth", "max_velocity", "max_pressure"}) {
+        const app::MapLayer layer = result.map_layer(name);
+        std::vector<double> bounds = layer.classes;
+        if (std::isinf(bounds.back())) bounds.pop_back();  // above it the release alone
+        EXPECT_LT(bounds[bounds.size() - 2], maximum(layer.values)) << name << ": a class that nothing is in";
+    }
+    for (const std::string style : {"max_depth", "final_depth", "frames/depth"})
+        for (std::size_t i = 0; i + 1 < classes.size() && std::isfinite(classes[i + 1]); ++i)
             for (const std::string ending : {".qml", ".sld"})
-                EXPECT_NE(read_text(path("old/" + style + ending)).find(label == "> 50 m" ? "&gt; 50 m" : label),
+                EXPECT_NE(read_text(path("old/" + style + ending))
+                              .find(number_text(classes[i]) + " \u2013 " + number_text(classes[i + 1]) + " m"),
                           std::string::npos)
-                    << style << ending << " " << label;
-    run(k_voellmy + "[output]\nmaps = off\nanimation = off\nclasses = to-maximum\n", "other");
-    const std::vector<double> to_maximum = app::ResultReader(path("other")).map_layer("max_depth").classes;
-    EXPECT_LT(to_maximum.back(), 100);
+                    << style << ending << " " << classes[i];
 }
 
 // The names and ids that polygons have in the user's file are in every output.

@@ -43,22 +43,35 @@ TEST(Layers, ClassesContainEveryMaximum) {
     }
 }
 
-// The colours of two runs can be compared.
-TEST(Layers, ClassesOfEveryQuantityAreFixedUnlessTheSceneChoosesSteps) {
+// Bounds of a quantity are the same in all results, as many as the values need.
+TEST(Layers, ClassesFollowTheValuesOnTheBoundsOfTheirQuantity) {
     constexpr double k_open = std::numeric_limits<double>::infinity();
-    ClassSpec chosen;
-    for (const ResultRaster& row : result_rasters()) {
-        if (!row.is_drawn() || row.unit.empty() || row.unit == "-") continue;
-        const std::vector<double> bounds = class_bounds(row, chosen, 0.01);
-        EXPECT_EQ(bounds, class_bounds(row, chosen, 12345)) << row.name;
-        EXPECT_EQ(bounds.front(), row.palette == "difference" ? -k_open : 0) << row.name;
-        EXPECT_EQ(bounds.back(), k_open) << row.name;
-        EXPECT_TRUE(std::is_sorted(bounds.begin(), bounds.end(), std::less_equal<>())) << row.name;
-    }
     const ResultRaster& depth = *find_result_raster("max_depth");
-    EXPECT_EQ(class_bounds(depth, chosen, 3), class_bounds(*find_result_raster("depth"), chosen, 30)) << "frames";
-    chosen.fixed = false;
-    EXPECT_EQ(class_bounds(depth, chosen, 38.2).back(), 40);
+    EXPECT_EQ(class_bounds(depth, 1.9), (std::vector<double>{0, 0.2, 0.5, 1, 2}));
+    EXPECT_EQ(class_bounds(depth, 38.2).back(), 50);
+    EXPECT_EQ(class_bounds(depth, 51).back(), k_open);
+    EXPECT_EQ(class_bounds(depth, 0.3), class_bounds(true, 0.3)) << "two classes show nothing of a flow";
+    for (const ResultRaster& row : result_rasters()) {
+        if (!row.is_drawn() || row.classes.empty() || !row.bounds.empty()) continue;
+        const std::vector<double> all = fixed_classes(row.classes);
+        EXPECT_EQ(class_bounds(row, 1e9), all) << row.name;
+        const std::vector<double> some = class_bounds(row, all[all.size() - 3]);
+        EXPECT_TRUE(std::equal(some.begin(), some.end(), all.begin())) << row.name;
+        EXPECT_EQ(some.size(), all.size() - 2) << row.name;
+    }
+}
+
+// A pile that hardly moved does not decide on the colours of the flow beside it.
+TEST(Layers, TheReleaseDoesNotRuleTheClassesOfDepth) {
+    const ResultRaster& depth = *find_result_raster("max_depth");
+    Raster deepest(GridSpec{0, 3, 1, 3, 1, ""}, k_no_data), release = deepest;
+    deepest.values[0] = 37;
+    release.values[0] = 36;
+    deepest.values[1] = 1.6;
+    constexpr double k_open = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(class_bounds(depth, deepest, release), (std::vector<double>{0, 0.2, 0.5, 1, 2, k_open}));
+    deepest.values[1] = k_no_data;
+    EXPECT_EQ(class_bounds(depth, deepest, release).back(), 50) << "nothing left the release";
 }
 
 TEST(Layers, TheDocumentListsTheBoundsOfClasses) {

@@ -64,7 +64,7 @@ TEST(PictureText, PagesOfIso216) {
     const Size upright = size_for_ground(*size_from_text("A4"), 1, 2);
     EXPECT_TRUE(upright.height == 1754 && upright.paper == "A4-portrait");
     EXPECT_EQ(size_for_ground(*size_from_text("A4-landscape"), 1, 2).height, 1240);
-    EXPECT_EQ(size_for_ground(*size_from_text("auto"), 1, 1.2).height, 1200);
+    EXPECT_EQ(size_for_ground(*size_from_text("auto"), 1, 1.2).height, 1240);
     EXPECT_EQ(size_from_text("A3@300")->width, 4961);
     EXPECT_EQ(size_from_text("A3@300")->height, 3508);
     EXPECT_EQ(size_from_text("A3@300")->dots_per_inch, 300);

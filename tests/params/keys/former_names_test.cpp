@@ -20,7 +20,8 @@ TEST_F(FormerNamesInScenes, KeysThatWentSayWhatToUse) {
              {"[numerics]\ngravity = 9\n", "9.81 m/s2"},
              {"[structured]\nvirtual-mass = none\n", "Pudasaini 2012"},
              {"[material]\nyield-ratio = quadratic\n", "exact"},
-             {"[output]\nclasses-strain = 1\n", "to-maximum"}}) {
+             {"[output]\nclasses = fixed\n", "follow the values"},
+             {"[output]\nclasses-strain = 1\n", "follow the values"}}) {
         const std::vector<Problem> all = problems(k_least + line);
         const auto gone =
             std::find_if(all.begin(), all.end(), [](const Problem& one) { return one.what == "is no longer a key"; });

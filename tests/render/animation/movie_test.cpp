@@ -22,7 +22,8 @@ namespace {
 
 struct Animation {
     std::string codec, pixels;
-    double rate = 0;
+    double rate = 0, seconds = 0;
+    std::vector<double> times;  ///< at which its frames begin [s]
     std::vector<Image> frames;
 };
 
@@ -55,8 +56,10 @@ Animation decoded(const std::string& path) {
             sws_scale(scaler, frame->data, frame->linesize, 0, frame->height, to, line);
             sws_freeContext(scaler);
             animation.frames.push_back(std::move(image));
+            animation.times.push_back(static_cast<double>(frame->best_effort_timestamp) * av_q2d(stream->time_base));
         }
     };
+    animation.seconds = static_cast<double>(format->duration) / AV_TIME_BASE;
     while (av_read_frame(format, packet) >= 0) {
         avcodec_send_packet(codec, packet);
         receive();
@@ -128,6 +131,21 @@ TEST(Movie, AnMp4HasTheSameBytesOnAnyNumberOfProcessors) {
     if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "needs two processors";
     const test::Folder folder("processors");
     EXPECT_EQ(animation_on(1, folder.file("one.mp4")), animation_on(CPU_SETSIZE, folder.file("all.mp4")));
+}
+
+// A picture that is shown for long is stored once.
+TEST(Movie, PicturesHaveTheirDurations) {
+    const test::Folder folder("durations");
+    for (const std::string name : {"a.mp4", "a.gif"}) {
+        MovieWriter movie(folder.file(name), 64, 64, 25);
+        for (const int frames : {1, 10, 4, 25}) movie.add(picture(64, 64, frames % 7), frames);
+        movie.finish();
+        const Animation animation = decoded(folder.file(name));
+        ASSERT_EQ(animation.times.size(), 4U) << name;
+        constexpr double k_starts[] = {0, 0.04, 0.44, 0.6};
+        for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(animation.times[k], k_starts[k], 1e-6) << name << k;
+        EXPECT_NEAR(animation.seconds, 1.6, 0.011) << name;
+    }
 }
 
 TEST(Movie, TheIndexOfAnMp4IsInFront) {

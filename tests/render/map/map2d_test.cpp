@@ -32,14 +32,15 @@ TEST(Map, EveryCellHasTheColourThatTheLegendGivesItsValue) {
     for (std::int64_t row = 0; row < layer.grid.rows; ++row) {
         for (std::int64_t column = 0; column < layer.grid.columns; ++column) {
             if (!layer.has_data(row, column)) continue;
-            // A quarter of a cell off the centre, where there could be a coordinate cross.
+            // Off the centre, where there could be a coordinate cross.
             Point at = layer.grid.cell_centre(row, column);
-            at.x += layer.grid.cell_size / 4;
-            at.y += layer.grid.cell_size / 4;
+            at.x += layer.grid.cell_size / 8;
+            at.y += layer.grid.cell_size / 8;
             const auto [x, y] = pixel(layout, at);
-            const LegendEntry* legend = entry(layout, layer.at(row, column));
+            const double between = interpolated(layer, at);  // its neighbours count as well
+            const LegendEntry* legend = entry(layout, std::isnan(between) ? layer.at(row, column) : between);
             ASSERT_NE(legend, nullptr);
-            if (map.colour(x, y) == legend->colour) ++seen;
+            if (test::shows(map.colour(x, y), legend->colour)) ++seen;
         }
     }
     // All except the cells covered by a thin coordinate cross.
@@ -54,7 +55,7 @@ TEST(Map, LegendBoxesShowThePalettesColours) {
     for (std::size_t i = 0; i < layout.legend.size(); ++i) {
         const LegendEntry& one = layout.legend[i];
         // The greatest class is on top.
-        const Rgb expected = colour_at(palette("depth"), 1 - static_cast<double>(i) / 4);
+        const Rgb expected = test::in_legend(colour_at(palette("depth"), 1 - static_cast<double>(i) / 4));
         EXPECT_EQ(one.colour, expected);
         EXPECT_EQ(map.colour(static_cast<int>((one.box.left + one.box.right) / 2),
                              static_cast<int>((one.box.top + one.box.bottom) / 2)),
@@ -62,6 +63,55 @@ TEST(Map, LegendBoxesShowThePalettesColours) {
     }
     EXPECT_EQ(layout.legend.front().label, "8 – 10");
     EXPECT_EQ(layout.legend.back().label, "0 – 2");
+}
+
+double luminance(Rgb c) {
+    const auto linear = [](std::uint8_t byte) { return std::pow(byte / 255.0, 2.2); };
+    return 0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b);
+}
+double contrast(Rgb a, Rgb b) {
+    const double one = luminance(a) + 0.05, other = luminance(b) + 0.05;
+    return std::max(one, other) / std::min(one, other);
+}
+
+// A road of the base map, the relief and a line of the surroundings are read under and over a red zone.
+TEST(Map, WhatIsUnderAZoneIsSeenThroughIt) {
+    const Raster ground = test::terrain(), layer(ground.grid, 1);
+    MapSpec spec = test::full_map(ground, layer, 800, 600);
+    spec.outlines = {{"Road", {}, {45, 45, 55}, 1.4, false}};
+    spec.contours = false;
+    spec.categories = {{1, "High", {215, 25, 28}}};
+    spec.classes.clear();
+    spec.outlines[0].lines = {{{527300, 5094700}, {527900, 5094700}}};
+    spec.window = Bounds{527400, 5094300, 527800, 5094800};
+    const double north = 5094500, half = 6;  // of the base map's road [m]
+    spec.background = [&](const Bounds& box, int width, int height) {
+        std::vector<std::uint8_t> rgba;
+        for (int row = 0; row < height; ++row) {
+            const double y = box.north - (row + 0.5) * box.height() / height;
+            const std::uint8_t tone = std::abs(y - north) < half ? 20 : y > north ? 240 : 150;
+            for (int column = 0; column < width; ++column) rgba.insert(rgba.end(), {tone, tone, tone, 255});
+        }
+        return rgba;
+    };
+    MapLayout layout;
+    const Image map = draw_map(spec, &layout);
+    const auto at = [&](double y) {
+        return map.colour(static_cast<int>(layout.map.left + layout.map.width() * 0.37),
+                          static_cast<int>(layout.map.top + (layout.window.north - y) / layout.metres_per_pixel));
+    };
+    const Rgb bright = at(north + 60), shady = at(north - 60), road = at(north);
+    EXPECT_GT(contrast(bright, road), 2.5);
+    EXPECT_GT(contrast(shady, road), 1.8);
+    EXPECT_GT(contrast(bright, shady), 1.25) << "the relief";
+    for (const Rgb zone : {bright, shady}) {
+        EXPECT_GT(zone.r, 2 * zone.g) << "red remains red";
+        EXPECT_GT(zone.r, 2 * zone.b);
+    }
+    Rgb darkest = bright;
+    for (double y = 5094690; y < 5094710; y += 0.5)
+        if (luminance(at(y)) < luminance(darkest)) darkest = at(y);
+    EXPECT_GT(contrast(bright, darkest), 2.5) << "a thin line of the surroundings";
 }
 
 TEST(Map, NothingIsColouredWhereNothingFlowed) {
@@ -236,7 +286,7 @@ TEST(Map, CategoriesAreDrawnInTheirOwnColours) {
     ASSERT_EQ(layout.legend.size(), 3U);
     EXPECT_EQ(layout.legend[0].label, "hit");
     const auto [x, y] = pixel(layout, {527597, 5094482});
-    EXPECT_EQ(map.colour(x, y), (Rgb{40, 120, 60}));
+    EXPECT_TRUE(test::shows(map.colour(x, y), test::in_legend({40, 120, 60})));
 }
 
 TEST(Map, WithoutLayerOrWithoutTerrain) {

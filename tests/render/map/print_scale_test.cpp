@@ -20,9 +20,9 @@ TEST(PrintScale, MetresPerMillimetreOfPaper) {
 }
 
 TEST(PrintScale, RoundOnesAreThoseOfMaps) {
-    const std::pair<double, double> expected[] = {{410, 500},     {500, 500},     {501, 750},
-                                                  {1001, 1500},   {2001, 2500},   {2501, 3000},
-                                                  {19000, 20000}, {20001, 25000}, {5e4 + 1, 75000}};
+    const std::pair<double, double> expected[] = {{410, 500},     {500, 500},     {501, 600},
+                                                  {1001, 1250},   {2001, 2500},   {2501, 3000},
+                                                  {19000, 20000}, {20001, 25000}, {5e4 + 1, 60000}};
     for (const auto& [n, round] : expected) EXPECT_EQ(round_scale_above(n), round) << n;
 }
 

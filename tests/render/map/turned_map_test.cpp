@@ -41,7 +41,7 @@ Point middle_of(const Image& picture, const PageBox& frame, Rgb colour) {
     double x = 0, y = 0, count = 0;
     for (int row = static_cast<int>(frame.top) + 3; row < frame.bottom - 3; ++row)
         for (int column = static_cast<int>(frame.left) + 3; column < frame.right - 3; ++column)
-            if (picture.colour(column, row) == colour) {
+            if (test::shows(picture.colour(column, row), test::in_legend(colour))) {
                 x += column + 0.5;
                 y += row + 0.5;
                 ++count;
@@ -79,36 +79,69 @@ MapFrame frame_at(double deg) {
     return {0, 0, 1500, 300, {middle.x - 375, middle.y - 75, middle.x + 375, middle.y + 75}, turn};
 }
 
-TEST(TurnedMap, EachPixelHasTheClassOfTheCellUnderItsCentre) {
+constexpr Rgb k_usual{205, 205, 205}, k_dark{82, 82, 82};  // ground on which colours are the legend's; beside cells
+
+// Values that rise evenly: the mean of the cells around a pixel is the value at its centre.
+TEST(TurnedMap, EachPixelHasTheClassOfItsPlace) {
     const ColourScale scale({"depth", {0, 1, 2, 3, 4, 5, 6}, {}, nullptr, false, {}});
     for (const double cell_size : {0.31, 1.0, 7.3}) {  // smaller and larger than a pixel, half a metre
         Raster layer(GridSpec{527300, 5094330, cell_size, static_cast<std::int64_t>(600 / cell_size),
                               static_cast<std::int64_t>(300 / cell_size), ""},
                      k_no_data);
-        for (std::size_t i = 0; i < layer.values.size(); ++i)
-            if (const auto k = (i * 2654435761U >> 7) % 7; k < 6) layer.values[i] = static_cast<double>(k) + 0.5;
+        const auto value = [&](Point at) { return (at.x - layer.grid.west) / 120; };
+        for (std::int64_t row = 0; row < layer.grid.rows; ++row)
+            for (std::int64_t column = 0; column < layer.grid.columns; ++column)
+                layer.at(row, column) = value(layer.grid.cell_centre(row, column));
         for (const double deg : {0.0, 33.0, -90.0, 171.5}) {
             const MapFrame frame = frame_at(deg);
-            constexpr Rgb k_ground{200, 100, 50}, k_dark{80, 40, 20};
-            Image face(frame.width, frame.height, k_ground);
+            Image face(frame.width, frame.height, k_usual);
             paint_cells(face, frame, layer, scale, 1);
             for (int row = 0; row < frame.height; ++row)
                 for (int column = 0; column < frame.width; ++column) {
                     const Point at =
                         frame.turn.map({frame.window.west + (column + 0.5) / 2, frame.window.north - (row + 0.5) / 2});
-                    const double x = (at.x - layer.grid.west) / cell_size, y = (layer.grid.north - at.y) / cell_size;
-                    const bool inside = x >= 0 && y >= 0 && x < static_cast<double>(layer.grid.columns) &&
-                                        y < static_cast<double>(layer.grid.rows);
-                    const double value =
-                        inside ? layer.at(static_cast<std::int64_t>(y), static_cast<std::int64_t>(x)) : k_no_data;
+                    const double x = std::min(at.x - layer.grid.west, layer.grid.east() - at.x),
+                                 y = std::min(at.y - layer.grid.south(), layer.grid.north - at.y),
+                                 inside = std::min(x, y), fraction = value(at) - std::floor(value(at));
                     const Rgb colour = face.colour(column, row);
-                    if (std::isnan(value))
-                        ASSERT_TRUE(colour == k_ground || colour == k_dark) << column << ", " << row << " at " << deg;
-                    else
-                        ASSERT_EQ(colour, scale.find(value)->colour) << column << ", " << row << " at " << deg;
+                    if (inside < -1e-6) {
+                        ASSERT_TRUE(colour == k_usual || colour == k_dark) << column << ", " << row << " at " << deg;
+                    } else if (inside > cell_size && std::min(fraction, 1 - fraction) > 1e-6) {
+                        ASSERT_EQ(colour, scale.find(value(at))->colour) << column << ", " << row << " at " << deg;
+                    }
                 }
         }
     }
+}
+
+// The rim of a slanting flow has steps of a pixel, not of a cell; its area stays.
+TEST(TurnedMap, EdgesOfCellsAreSmooth) {
+    const ColourScale scale({"depth", {0, 1, 2}, {}, nullptr, false, {}});
+    Raster layer(GridSpec{527500, 5094600, 10, 20, 20, ""}, k_no_data);
+    double area = 0;
+    for (std::int64_t row = 0; row < 20; ++row)
+        for (std::int64_t column = 0; column < 20; ++column)
+            if (row + column > 12 && row + column < 30) {
+                layer.at(row, column) = 1.5;
+                area += 100;
+            }
+    const MapFrame frame{0, 0, 400, 400, {527500, 5094400, 527700, 5094600}, {}};
+    Image face(400, 400, k_usual);
+    paint_cells(face, frame, layer, scale, 1);
+    const Rgb flow = scale.find(1.5)->colour;
+    double pixels = 0;
+    int longest = 0;
+    for (int row = 40; row < 200; ++row) {
+        int first = 0;
+        while (first < 400 && face.colour(first, row) != flow) ++first;
+        int above = 0;
+        while (above < 400 && face.colour(above, row - 1) != flow) ++above;
+        longest = std::max(longest, std::abs(first - above));
+    }
+    for (int row = 0; row < 400; ++row)
+        for (int column = 0; column < 400; ++column) pixels += face.colour(column, row) == flow ? 1 : 0;
+    EXPECT_LE(longest, 4) << "a cell has 20";
+    EXPECT_NEAR(pixels / 4, area, 0.02 * area);
 }
 
 // Red grows to the east and green to the north, whatever the turn: what VTK draws lies where it belongs.

@@ -34,6 +34,7 @@ Prepared prepared_member(const StudyInput& input, const MemberTask& task, RunLog
     }
     reading.scene.observed = {};  // read once, for the maps
     reading.scene.output.profiles.reset();
+    reading.scene.output.map_context.reset();
     reading.scene.output.exposure.reset();
     reading.scene.exposure = {};
     Prepared prepared = prepare(reading, log);

@@ -125,7 +125,7 @@ void publish_calibration_maps(const StudyInput& input, const CalibrationRuns& ru
         is_drawn("maps/" + name, log, [&] {
             const MapSource source = source_of(input, e, runs.events[e], result.events[e].best, window, troubles);
             const MapLayer layer =
-                read_map_layer(directory.path(name + ".tif"), base.spec.output.classes, source.style.words);
+                read_map_layer(directory.path(name + ".tif"), source.style.words);
             LayerDrawer drawer(source);
             if (base.spec.output.report) {
                 directory.make_folder(k_page_folder);

@@ -122,7 +122,7 @@ void MapWriter::write(const std::string& name, const std::vector<gis::RasterBand
     const std::string file = directory_.path(name + ".tif");
     gis::write_geotiff(file, bands);
     if (!row.is_drawn()) return;
-    const std::vector<double> bounds = class_bounds(row, output_.classes, maximum(bands.front().raster));
+    const std::vector<double> bounds = class_bounds(row, maximum(bands.front().raster));
     gis::write_styles(file, gis::class_stops(palette(row.palette), bounds, row.unit, words_, row.zero_is_blank),
                       row.unit, gis::StyleKind::classed, raster_title(row, name, words_));
 }
