@@ -85,8 +85,21 @@ FRANA_INLINE void prepare_cells(const Cells& c, std::size_t k, std::size_t n, co
     using std::sqrt;
     const auto at = [&](const double* from, std::int64_t offset = 0)
                         FRANA_INLINE_LAMBDA { return L::load(from + static_cast<std::int64_t>(k) + offset, n); };
+    const auto put = [&](Number value, double* to) FRANA_INLINE_LAMBDA { L::store(value, to + k, n); };
     const Number zero(0.0), h = at(c.depth), z = at(c.bed), slope_x = at(c.slope_x), slope_y = at(c.slope_y),
                             root = at(c.root);
+    // Where nothing is, and no sweep of this step can bring anything: what the rest would find, without computing it.
+    const auto beside = [&](std::int64_t row) FRANA_INLINE_LAMBDA {
+        return max(max(at(c.depth, row - 1), at(c.depth, row)), at(c.depth, row + 1));
+    };
+    if (!L::any(max(max(beside(-c.stride), beside(0)), beside(c.stride)) > 0)) {
+        put(v.gravity / (root * root), c.weight);
+        for (double* const none : {c.slowed_x, c.slowed_y, c.pull_x, c.pull_y, c.bound, c.spare, c.held, c.before})
+            put(zero, none);
+        put(Number(-1.0), c.start);
+        put(Number(-1e30), c.head);
+        return;
+    }
     const auto wet = h > v.dry;
     const Number some = select(wet, h, Number(1.0));
     const Number wx = select(wet, at(c.qx) / some, zero), wy = select(wet, at(c.qy) / some, zero);
@@ -118,7 +131,6 @@ FRANA_INLINE void prepare_cells(const Cells& c, std::size_t k, std::size_t n, co
         friction.template speed_after<Number>(k, n, start, driven, L::none(wet), half_step, root, supported, some);
     const Number lost = select(wet & (driven > 0), slowed / select(driven > 0, driven, Number(1.0)) - 1, zero);
     const Stops<Number> stop = stops<Number>(friction, k, n, h, root * root, supported, step);
-    const auto put = [&](Number value, double* to) FRANA_INLINE_LAMBDA { L::store(value, to + k, n); };
     put(weight, c.weight);
     // The fall of the surface is in the predictor of the faces, that of a tilted frame is not.
     put(ax * lost + select(wet, Number(half * v.gravity_x), zero), c.slowed_x);
@@ -149,6 +161,8 @@ FRANA_INLINE void prepare_cells(const Cells& c, std::size_t k, std::size_t n, co
 /// Which slow cells friction keeps at rest: those whose 3 x 3 cells it can stop together (mpm/update_nodes.h,
 /// find_held_nodes). Reads pull and bound; reads and writes held.
 FRANA_INLINE void hold_cells(const Cells& c, std::size_t k, std::size_t n) {
+    const Quad held = Lanes<Quad>::load(c.held + k, n);
+    if (!any(held > 0)) return;
     const auto sum = [&](const double* from) FRANA_INLINE_LAMBDA {
         const double* const here = from + k;
         const auto row = [&](const double* p)
@@ -156,7 +170,6 @@ FRANA_INLINE void hold_cells(const Cells& c, std::size_t k, std::size_t n) {
         return row(here - c.stride) + row(here) + row(here + c.stride);
     };
     const Quad x = sum(c.pull_x), y = sum(c.pull_y), bound = sum(c.bound);
-    const Quad held = Lanes<Quad>::load(c.held + k, n);
     Lanes<Quad>::store(select((bound > 0) & (bound * bound >= x * x + y * y), held, Quad(0.0)), c.held + k, n);
 }
 
@@ -170,9 +183,13 @@ FRANA_INLINE void read_cells(const Cells& c, std::size_t k, std::size_t q, std::
     const auto wet = h > dry;
     const Quad held = at(c.held), some = select(wet, h, Quad(1.0));
     const auto moves = wet & L::none(held > 0.5);
-    const Quad wx = select(moves, L::load(qx + q, n) / some + at(c.slowed_x), zero),
-               wy = select(moves, L::load(qy + q, n) / some + at(c.slowed_y), zero);
-    const MapVector<Quad> u = in_map<Quad>(wx, wy, slope_x, slope_y, root);
+    Quad wx = zero, wy = zero;
+    MapVector<Quad> u{zero, zero};
+    if (any(moves)) {
+        wx = select(moves, L::load(qx + q, n) / some + at(c.slowed_x), zero);
+        wy = select(moves, L::load(qy + q, n) / some + at(c.slowed_y), zero);
+        u = in_map<Quad>(wx, wy, slope_x, slope_y, root);
+    }
     const Quad slope = along_y ? slope_y : slope_x, weight = at(c.weight);
     const auto put = [&](Quad value, double* to) FRANA_INLINE_LAMBDA { L::store(value, to + q, n); };
     put(h, row.depth);
@@ -199,6 +216,13 @@ FRANA_INLINE void sides_of(const CellRow& a, const CellRow& b, const CellRow& c,
     const auto none = [](Quad::Mask m) FRANA_INLINE_LAMBDA { return L::none(m); };
     const Quad zero(0.0), h = at(b.depth), u = at(b.speed), wn = at(b.normal), wt = at(b.tangential), z = at(b.bed);
     const Quad ha = at(a.depth), hc = at(c.depth), za = at(a.bed), zc = at(c.bed), surface = h + z;
+    if (!any(max(max(ha, h), hc) > 0)) {
+        for (const SideRow* const side : {&before, &after}) {
+            for (double* const to : {side->depth, side->speed, side->normal, side->tangential}) zero.store(to + q);
+            z.store(side->bed + q);
+        }
+        return;
+    }
     const auto bank_a = none(ha > dry) & (za >= surface), bank_c = none(hc > dry) & (zc >= surface);
     const Quad down = select(bank_a, zero, surface - (ha + za)), up = select(bank_c, zero, hc + zc - surface);
     const Quad ua = at(a.speed), uc = at(c.speed), rise = limited<Quad>(down, up), du = limited<Quad>(u - ua, uc - u);
@@ -291,8 +315,18 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
         return Side{at(row.depth), at(row.speed), at(row.normal), at(row.tangential), at(row.bed)};
     };
     const Side below = side(row_below), above = side(row_above);
+    const auto put = [&](Quad value, double* where) FRANA_INLINE_LAMBDA { value.store(where + q); };
     const Quad zero(0.0), one(1.0), tiny(1e-100);
     const Quad hb = at(b.depth), hc = at(c.depth), zb = at(b.bed), zc = at(c.bed), dz = zc - zb;
+    if (!any(max(hb, hc) > v.dry)) {  // films do not move: each keeps its pressure
+        const Quad low = min(zb, zc), high = max(zb, zc);
+        for (double* const none : {to.mass, to.normal, to.tangential}) put(zero, none);
+        put(0.5 * below.depth * below.depth, to.pressure_below);
+        put(0.5 * above.depth * above.depth, to.pressure_above);
+        put(min(high, max(low, below.bed)) - zb, to.step_below);
+        put(min(high, max(low, above.bed)) - zc, to.step_above);
+        return;
+    }
     const FaceBeds beds = beds_of(a, b, c, d, q, v, below.bed, above.bed);
     const Quad bed_below = beds.below, bed_above = beds.above, step = beds.step, top = max(bed_below, bed_above);
     const auto leaps = beds.leaps > 0.5;
@@ -323,7 +357,6 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
     const Quad given = min(max(zero, 1 - spare * per_flux), (v.cell_size / v.dt) * most * has * per_flux);
     const Quad mass = given * flux;
     const Quad push = 0.5 * inverse * (depth_above * depth_above - depth_below * depth_below);
-    const auto put = [&](Quad value, double* where) FRANA_INLINE_LAMBDA { value.store(where + q); };
     put(mass, to.mass);
     // Waves on a pool move it horizontally however steep its bed is: what smooths them there is the difference of the
     // velocities in map view. That of velocities along two different beds would drive them.
@@ -405,6 +438,11 @@ FRANA_INLINE void finish_cells(const Cells& c, std::size_t k, std::size_t n, con
     const Number zero(0.0), one(1.0), h = at(c.depth), slope_x = at(c.slope_x), slope_y = at(c.slope_y),
                                       root = at(c.root);
     const auto wet = h > v.dry;
+    if (!L::any(L::none(v.dry >= h)) && v.gravity_x == 0 && v.gravity_y == 0) {  // what is no number is looked at
+        L::store(zero, c.qx + k, n);
+        L::store(zero, c.qy + k, n);
+        return;
+    }
     const Number some = select(wet, h, one);
     Number wx = select(wet, at(c.qx) / some, zero), wy = select(wet, at(c.qy) / some, zero);
     const MapVector<Number> u = in_map<Number>(wx, wy, slope_x, slope_y, root);
