@@ -74,6 +74,25 @@ FRANA_INLINE Stops<Number> stops(const SummedFriction<Excess>& friction, std::si
     return {depth * yield / sqrt(n), k.dt * yield};
 }
 
+/// Where nothing is, and no sweep of this step can bring anything: what prepare_cells would find, without computing it.
+/// Returns whether that is so.
+template <class Number>
+FRANA_INLINE bool prepare_idle(const Cells& c, std::size_t k, std::size_t n, Number root, const StepValues& v) {
+    using L = Lanes<Number>;
+    using std::max;
+    const auto beside = [&](std::int64_t row) FRANA_INLINE_LAMBDA {
+        const double* const here = c.depth + static_cast<std::int64_t>(k) + row;
+        return max(max(L::load(here - 1, n), L::load(here, n)), L::load(here + 1, n));
+    };
+    if (L::any(max(max(beside(-c.stride), beside(0)), beside(c.stride)) > 0)) return false;
+    L::store(v.gravity / (root * root), c.weight + k, n);
+    for (double* const none : {c.slowed_x, c.slowed_y, c.pull_x, c.pull_y, c.bound, c.spare, c.held, c.before})
+        L::store(Number(0.0), none + k, n);
+    L::store(Number(-1.0), c.start + k, n);
+    L::store(Number(-1e30), c.head + k, n);
+    return true;
+}
+
 /// Before the sweeps: g', half a step of friction for the predictor, pull and bound of friction, energy. Reads the
 /// state and the ground of the cells and their four neighbours.
 template <class Number, class Friction>
@@ -85,21 +104,9 @@ FRANA_INLINE void prepare_cells(const Cells& c, std::size_t k, std::size_t n, co
     using std::sqrt;
     const auto at = [&](const double* from, std::int64_t offset = 0)
                         FRANA_INLINE_LAMBDA { return L::load(from + static_cast<std::int64_t>(k) + offset, n); };
-    const auto put = [&](Number value, double* to) FRANA_INLINE_LAMBDA { L::store(value, to + k, n); };
     const Number zero(0.0), h = at(c.depth), z = at(c.bed), slope_x = at(c.slope_x), slope_y = at(c.slope_y),
                             root = at(c.root);
-    // Where nothing is, and no sweep of this step can bring anything: what the rest would find, without computing it.
-    const auto beside = [&](std::int64_t row) FRANA_INLINE_LAMBDA {
-        return max(max(at(c.depth, row - 1), at(c.depth, row)), at(c.depth, row + 1));
-    };
-    if (!L::any(max(max(beside(-c.stride), beside(0)), beside(c.stride)) > 0)) {
-        put(v.gravity / (root * root), c.weight);
-        for (double* const none : {c.slowed_x, c.slowed_y, c.pull_x, c.pull_y, c.bound, c.spare, c.held, c.before})
-            put(zero, none);
-        put(Number(-1.0), c.start);
-        put(Number(-1e30), c.head);
-        return;
-    }
+    if (prepare_idle<Number>(c, k, n, root, v)) return;
     const auto wet = h > v.dry;
     const Number some = select(wet, h, Number(1.0));
     const Number wx = select(wet, at(c.qx) / some, zero), wy = select(wet, at(c.qy) / some, zero);
@@ -131,6 +138,7 @@ FRANA_INLINE void prepare_cells(const Cells& c, std::size_t k, std::size_t n, co
         friction.template speed_after<Number>(k, n, start, driven, L::none(wet), half_step, root, supported, some);
     const Number lost = select(wet & (driven > 0), slowed / select(driven > 0, driven, Number(1.0)) - 1, zero);
     const Stops<Number> stop = stops<Number>(friction, k, n, h, root * root, supported, step);
+    const auto put = [&](Number value, double* to) FRANA_INLINE_LAMBDA { L::store(value, to + k, n); };
     put(weight, c.weight);
     // The fall of the surface is in the predictor of the faces, that of a tilted frame is not.
     put(ax * lost + select(wet, Number(half * v.gravity_x), zero), c.slowed_x);
@@ -301,6 +309,22 @@ FRANA_INLINE Quad taken_by_wall(const Quad& depth, const Quad& speed, const Quad
     return depth * max(zero, normal) * min(max(zero, speed), Quad(v.cell_size / v.dt));
 }
 
+/// Between films, which do not move, and dry cells nothing passes: each keeps its pressure. Returns whether all cells
+/// are such; the faces are then those that flow_through would find.
+FRANA_INLINE bool faces_rest(const CellRow& b, const CellRow& c, const SideRow& below, const SideRow& above,
+                             std::size_t q, double dry, const FaceRow& to) {
+    const auto at = [&](const double* from) FRANA_INLINE_LAMBDA { return Quad::load(from + q); };
+    if (any(max(at(b.depth), at(c.depth)) > dry)) return false;
+    const Quad zb = at(b.bed), zc = at(c.bed), low = min(zb, zc), high = max(zb, zc), hb = at(below.depth),
+               hc = at(above.depth);
+    for (double* const none : {to.mass, to.normal, to.tangential}) Quad(0.0).store(none + q);
+    (0.5 * hb * hb).store(to.pressure_below + q);
+    (0.5 * hc * hc).store(to.pressure_above + q);
+    (min(high, max(low, at(below.bed))) - zb).store(to.step_below + q);
+    (min(high, max(low, at(above.bed))) - zc).store(to.step_above + q);
+    return true;
+}
+
 /// Faces between the cells of b and c: HLL for mass and normal momentum (Harten, Lax and van Leer 1983), the tangential
 /// one carried with the mass; hydrostatic reconstruction (Audusse et al. 2004, SIAM J. Sci. Comput. 25, 2050).
 FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow& c, const CellRow& d,
@@ -315,18 +339,8 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
         return Side{at(row.depth), at(row.speed), at(row.normal), at(row.tangential), at(row.bed)};
     };
     const Side below = side(row_below), above = side(row_above);
-    const auto put = [&](Quad value, double* where) FRANA_INLINE_LAMBDA { value.store(where + q); };
     const Quad zero(0.0), one(1.0), tiny(1e-100);
     const Quad hb = at(b.depth), hc = at(c.depth), zb = at(b.bed), zc = at(c.bed), dz = zc - zb;
-    if (!any(max(hb, hc) > v.dry)) {  // films do not move: each keeps its pressure
-        const Quad low = min(zb, zc), high = max(zb, zc);
-        for (double* const none : {to.mass, to.normal, to.tangential}) put(zero, none);
-        put(0.5 * below.depth * below.depth, to.pressure_below);
-        put(0.5 * above.depth * above.depth, to.pressure_above);
-        put(min(high, max(low, below.bed)) - zb, to.step_below);
-        put(min(high, max(low, above.bed)) - zc, to.step_above);
-        return;
-    }
     const FaceBeds beds = beds_of(a, b, c, d, q, v, below.bed, above.bed);
     const Quad bed_below = beds.below, bed_above = beds.above, step = beds.step, top = max(bed_below, bed_above);
     const auto leaps = beds.leaps > 0.5;
@@ -357,6 +371,7 @@ FRANA_INLINE void flow_through(const CellRow& a, const CellRow& b, const CellRow
     const Quad given = min(max(zero, 1 - spare * per_flux), (v.cell_size / v.dt) * most * has * per_flux);
     const Quad mass = given * flux;
     const Quad push = 0.5 * inverse * (depth_above * depth_above - depth_below * depth_below);
+    const auto put = [&](Quad value, double* where) FRANA_INLINE_LAMBDA { value.store(where + q); };
     put(mass, to.mass);
     // Waves on a pool move it horizontally however steep its bed is: what smooths them there is the difference of the
     // velocities in map view. That of velocities along two different beds would drive them.
@@ -439,8 +454,7 @@ FRANA_INLINE void finish_cells(const Cells& c, std::size_t k, std::size_t n, con
                                       root = at(c.root);
     const auto wet = h > v.dry;
     if (!L::any(L::none(v.dry >= h)) && v.gravity_x == 0 && v.gravity_y == 0) {  // what is no number is looked at
-        L::store(zero, c.qx + k, n);
-        L::store(zero, c.qy + k, n);
+        for (double* const q : {c.qx, c.qy}) L::store(zero, q + k, n);
         return;
     }
     const Number some = select(wet, h, one);
@@ -526,7 +540,8 @@ void sides_of_row(const CellRow& a, const CellRow& b, const CellRow& c, std::siz
 }
 void faces_of_row(const CellRow& a, const CellRow& b, const CellRow& c, const CellRow& d, const SideRow& below,
                   const SideRow& above, std::size_t count, const StepValues& v, const FaceRow& to) {
-    for (std::size_t q = 0; q < count; q += 4) flow_through(a, b, c, d, below, above, q, v, to);
+    for (std::size_t q = 0; q < count; q += 4)
+        if (!faces_rest(b, c, below, above, q, v.dry, to)) flow_through(a, b, c, d, below, above, q, v, to);
 }
 void update_row(const Cells& c, std::size_t first, std::size_t count, bool along_y, const StepValues& v,
                 const FaceRow& before, const FaceRow& after) {
