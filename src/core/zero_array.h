@@ -65,7 +65,7 @@ class ZeroArray {
         void operator()(void* p) const noexcept { mapped > 0 ? unmap_zero_pages(p, mapped) : std::free(p); }
     };
     using Block = std::unique_ptr<void, Free>;
-    static constexpr std::size_t k_stride = sizeof(T), k_mapped_bytes = std::size_t{1} << 24;
+    static constexpr std::size_t k_stride = sizeof(T), k_mapped_bytes = std::size_t{1} << 18;
     static_assert(alignof(T) <= k_stride);
     Block block_;
     T* data_ = nullptr;
