@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -31,6 +32,9 @@ class StateWriter {
     using Sink = std::function<void(const void*, std::size_t)>;
 
     explicit StateWriter(Sink sink) : sink_(std::move(sink)) {}
+    /// Appends to `text`.
+    explicit StateWriter(std::string& text)
+        : sink_([&text](const void* from, std::size_t count) { text.append(static_cast<const char*>(from), count); }) {}
     template <class... T>
     void operator()(T&... values) {
         (transfer(*this, values), ...);
@@ -49,6 +53,14 @@ class StateReader {
 
     /// @param size bytes available from the source: no count read may exceed it
     StateReader(Source source, std::uint64_t size) : source_(std::move(source)), left_(size) {}
+    /// @param text which must outlive the reader
+    explicit StateReader(std::string_view text)
+        : StateReader(
+              [next = text.data()](void* to, std::size_t count) mutable {
+                  std::copy_n(next, count, static_cast<char*>(to));
+                  next += count;
+              },
+              text.size()) {}
     template <class... T>
     void operator()(T&... values) {
         (transfer(*this, values), ...);

@@ -87,6 +87,9 @@ struct RunOptions {
     std::function<void(const RunProblem&)> on_problem;  ///< called at the step at which it occurs, which is the last
     /// Called after every step, including the last; must be fast unless it saves. It does not affect the run.
     std::function<void(const Progress&, const SaveState&)> after_step;
+    /// Called between two steps, at most once, before time.end first shortens a step: up to here a run with any later
+    /// end is the same, and may resume from this state.
+    std::function<void(const SaveState&)> before_end;
     StateReader* saved = nullptr;  ///< a state of the same scene to resume from; none: from the start
 };
 

@@ -387,6 +387,8 @@ void SteppedRun::advance() {
     const double left = target - model_->time();
     // Two equal steps rather than a full one and a very short one.
     const double stable = model_->stable_step();
+    if (options_.before_end && target == scene_.time.end && left < 2 * stable && !std::exchange(nears_end_, true))
+        options_.before_end([&](StateWriter& writer) { writer(*this); });
     const double limit = left <= stable ? left : left < 2 * stable ? 0.5 * left : left;
     const double began = model_->time();
     StepStatistics statistics = model_->step(limit);

@@ -236,8 +236,9 @@ class SteppedRun {
     /// The whole run, between two steps.
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [scene, options, engine, release, arrivals, model, result, stopped, frames, next_frame,
-                                moved, last_frame, origins, still, fade, settling, recorder, watch, energy] = *this;
+        [[maybe_unused]] auto& [scene, options, engine, release, arrivals, model, result, stopped, nears_end, frames,
+                                next_frame, moved, last_frame, origins, still, fade, settling, recorder, watch,
+                                energy] = *this;
         engine.stop();
         archive(engine, arrivals, *model, frames, next_frame, moved, still, fade, settling, recorder, energy);
         archive(result.series, result.particles_peak, result.hard_events, result.unsupported, result.volume_inflow,
@@ -276,7 +277,7 @@ class SteppedRun {
     Arrivals arrivals_;
     std::unique_ptr<Model> model_;
     RunResult result_;
-    bool stopped_ = false;
+    bool stopped_ = false, nears_end_ = false;
     int frames_ = 0;
     double next_frame_;       ///< the first state at or after this time [s], or distance [m], is the next frame
     double moved_ = 0;        ///< root of the flow's mean squared speed, summed over time [m]

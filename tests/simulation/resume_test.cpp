@@ -51,6 +51,26 @@ TEST_P(Resume, ContinuesAfterAStopOnRequest) {
     expect_same(straight.result, play(scene, 1, never, &stopped.states.front()).result);
 }
 
+// Members of a study that time.end cuts go on so.
+TEST_P(Resume, GoesOnFromBeforeItsEndAsARunWithALaterOne) {
+    const Scene whole = GetParam().scene();
+    const RunResult straight = run(whole, {});
+    Scene early = whole;
+    early.time.end = 0.6 * straight.simulated_seconds;
+    std::string state;
+    RunOptions options;
+    options.before_end = [&](const SaveState& save) {
+        EXPECT_TRUE(state.empty()) << "once";
+        StateWriter writer(state);
+        save(writer);
+    };
+    ASSERT_EQ(run(early, options).stop_reason, StopReason::end_time);
+    StateReader reader(state);
+    options = {};
+    options.saved = &reader;
+    expect_same(straight, run(whole, options));
+}
+
 INSTANTIATE_TEST_SUITE_P(, Resume,
                          testing::Values(ResumedCase{"hillside", hillside, 30}, ResumedCase{"eventful", eventful, 45},
                                          ResumedCase{"resting", resting, 80}, ResumedCase{"settling", settling, 140},

@@ -172,7 +172,7 @@ MemberRecord record_of(std::uint64_t member, const RunResult& result, const Scen
 
 std::string bytes_of(MemberRecord record) {
     std::string content;
-    StateWriter writer([&](const void* from, std::size_t count) { add_bytes(content, from, count); });
+    StateWriter writer(content);
     writer(record);
     std::string bytes;
     add_bytes(bytes, RecordHead::k_magic, sizeof RecordHead::k_magic);
@@ -209,19 +209,11 @@ std::optional<MemberRecord> record_from(const std::string& bytes) {
     std::uint32_t crc = 0;
     std::memcpy(&crc, bytes.data() + bytes.size() - sizeof crc, sizeof crc);
     if (crc != crc_of(bytes.data(), bytes.size() - sizeof crc)) return std::nullopt;
-    const char* next = bytes.data() + k_head_bytes;
-    const char* const end = bytes.data() + bytes.size() - sizeof crc;
-    StateReader reader(
-        [&](void* to, std::size_t count) {
-            StateReader::require(count <= static_cast<std::size_t>(end - next));
-            std::copy_n(next, count, static_cast<char*>(to));  // none of it may be to a null pointer
-            next += count;
-        },
-        static_cast<std::uint64_t>(end - next));
+    StateReader reader(std::string_view(bytes).substr(k_head_bytes, bytes.size() - sizeof crc - k_head_bytes));
     MemberRecord record;
     try {
         reader(record);
-        StateReader::require(next == end);
+        StateReader::require(reader.left() == 0);
         std::uint64_t cells = 0;
         for (const CellRun& run : record.runs) cells += run.count;
         for (const Quantity quantity : {Quantity::depth, Quantity::velocity, Quantity::arrival})

@@ -23,13 +23,21 @@
 namespace frana::app::study {
 namespace {
 
+/// What a thread has read of the slope of its last member: the draws of a slope follow each other. The slopes of a
+/// region have nothing in common but small files, and all of theirs would be too much to keep.
+struct SlopeReads {
+    const Slope* slope = nullptr;
+    std::shared_ptr<RememberedReads> reads{};
+};
+
 /// Files that members share come from memory: reading a terrain takes longer than all other preparation.
-/// The slopes of a region have none in common but small ones, and their terrains together are too much to keep.
 /// @param log of its own: its warnings are the member's
-Prepared prepared_member(const StudyInput& input, const MemberTask& task, RunLog& log) {
+Prepared prepared_member(const StudyInput& input, const MemberTask& task, SlopeReads& last, RunLog& log) {
     SceneReading reading = input.scene_with(task.overrides);
     if (input.reading.study.region) {
-        reading.session.reads = std::make_shared<RememberedReads>();
+        if (const Slope& slope = input.slope_of(task.member); std::exchange(last.slope, &slope) != &slope)
+            last.reads = std::make_shared<RememberedReads>();
+        reading.session.reads = last.reads;
         reading.reads_on_demand = true;
     }
     reading.scene.observed = {};  // read once, for the maps
@@ -80,21 +88,29 @@ bool runs_on(const StudyInput& input, const MemberTask& task, const Scene& scene
 /// Runs a member on one thread, as `frana run` computes it; several may run at once. A member that cannot be prepared
 /// or ends early has failed, and its record says why. Returns none if `stops` said so before its end. Throws
 /// Error(environment).
-std::optional<MemberRecord> run_member(const StudyInput& input, const MemberTask& task,
+std::optional<MemberRecord> run_member(const StudyInput& input, const MemberTask& task, SlopeReads& reads,
                                        const std::function<bool()>& stops) {
     RunLog log(true);
     try {
         if (!input.slopes.empty() && !input.slope_of(task.member).problem.empty())
             throw Error(ErrorKind::input, Problem{input.slope_of(task.member).problem, "", "", "", ""});
-        Prepared prepared = prepared_member(input, task, log);
+        Prepared prepared = prepared_member(input, task, reads, log);
         const Scene& scene = prepared.scene;
         RunOptions options;
         options.stop_requested = stops;
+        std::string state;  // before time.end shortened a step
+        options.before_end = [&](const SaveState& save) {
+            StateWriter writer(state);
+            save(writer);
+        };
         RunResult result = run(scene, options);
-        if (runs_on(input, task, scene, result)) {  // from the start, as `frana run` with that time.end
+        if (runs_on(input, task, scene, result)) {  // as `frana run` with that time.end
             constexpr double k_longer = 10;
             prepared.scene.time.end = prepared.spec.time.end =
                 std::min(k_longer * scene.time.end, find_parameter(scene_parameters(), "time.end")->range->highest);
+            options.before_end = nullptr;
+            StateReader reader(state);
+            if (!state.empty()) options.saved = &reader;
             result = run(scene, options);
         }
         if (result.stop_reason == StopReason::requested) return std::nullopt;
@@ -126,6 +142,14 @@ std::optional<T> take_first(std::deque<T>& list) {
 }
 
 }  // namespace
+
+std::optional<double> seconds_of_member(const StudyInput& input, std::size_t member, double most) {
+    SlopeReads reads;
+    const Stopwatch watch;
+    const auto record = run_member(input, {member, input.table.overrides(member)}, reads,
+                                   [&] { return watch.seconds() > most || stop_signal() != 0; });
+    return record ? std::optional(watch.seconds()) : std::nullopt;
+}
 
 MemberThreads::MemberThreads(std::vector<const StudyInput*> studies, int count) : studies_(std::move(studies)) {
     try {
@@ -180,9 +204,11 @@ std::optional<MemberTask> MemberThreads::next() {
 }
 
 void MemberThreads::work() {
+    SlopeReads reads;
     while (const auto task = next()) {
         try {
-            auto record = run_member(*studies_[task->study], *task, [this] { return ending_ || stop_signal() != 0; });
+            auto record =
+                run_member(*studies_[task->study], *task, reads, [this] { return ending_ || stop_signal() != 0; });
             if (!record) return;
             std::string bytes = bytes_of(std::move(*record));
             const std::lock_guard lock(mutex_);
@@ -216,8 +242,7 @@ int kind_of(RankMessage message) noexcept {
 template <class... T>
 std::string packed(T... values) {
     std::string bytes;
-    StateWriter writer(
-        [&](const void* from, std::size_t count) { bytes.append(static_cast<const char*>(from), count); });
+    StateWriter writer(bytes);
     writer(values...);
     return bytes;
 }
@@ -225,13 +250,7 @@ std::string packed(T... values) {
 /// The same values again.
 template <class... T>
 void unpack(const std::string& bytes, T&... values) {
-    const char* next = bytes.data();
-    StateReader reader(
-        [&](void* to, std::size_t count) {
-            std::copy_n(next, count, static_cast<char*>(to));
-            next += count;
-        },
-        bytes.size());
+    StateReader reader(bytes);
     try {
         reader(values...);
     } catch (const Error&) {
