@@ -14,6 +14,7 @@
 #include "app/input/layer_values.h"
 #include "app/input/survey_input.h"
 #include "app/text/number_text.h"
+#include "core/reached_raster.h"
 #include "core/text.h"
 #include "gis/raster/footprint.h"
 #include "params/grammar/value_text.h"
@@ -291,6 +292,16 @@ void check_overlap(const SceneReading& reading, const ReleaseInput& release, con
         log.warn(worded("polygons of the perimeter overlap, their thicknesses add up there: {1}", {cells_of(twice)}));
 }
 
+/// Where ground is read on demand the map may be far larger than the release.
+Raster cover_of(const MultiPolygon& outlines, const Raster& ground) {
+    if (!ground.values.is_tiled()) return gis::coverage(outlines, ground.grid);
+    Raster cover = reached_raster(ground.grid, 0);
+    for (const Polygon& outline : outlines)
+        gis::visit_cells({outline}, ground.grid, gis::Cover::centres,
+                         [&](std::int64_t row, std::int64_t column) { cover.at(row, column) = 1; });
+    return cover;
+}
+
 }  // namespace
 
 MultiPolygon all_outlines(const ReleaseInput& release) {
@@ -330,7 +341,7 @@ void check_release(const SceneReading& reading, const TerrainInput& ground, cons
     }
     const char* const key = reading.scene.release.perimeter ? "release.perimeter" : "release.thickness";
     if (!is_on_ground(reading, key, bounds(outlines), ground, false, problems)) return;
-    const Raster cover = gis::coverage(outlines, ground.terrain.grid);
+    const Raster cover = cover_of(outlines, ground.terrain);
     check_ground(reading, ground, cover, problems);
     for (const ReleaseArea* area : different_rasters(reading, release))
         check_thickness_raster(reading, *area->thickness_raster, cover, log, problems);

@@ -2,7 +2,9 @@
 #include "app/input/prepare_terrain.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "analysis/gaussian_field.h"
@@ -248,9 +250,41 @@ std::optional<GaussianField> error_of(const TerrainSpec& spec) {
     return GaussianField{spec.error->standard_deviation, spec.error->range, spec.error->seed};
 }
 
+/// A DTM of which windows are read. The draws of a slope come to the same ground, and share what was read of it.
+struct DtmWindows {
+    std::shared_ptr<const gis::RasterOnDemand> file;
+    bool keeps = false;
+    std::map<std::array<std::int64_t, 4>, std::vector<double>> kept{};
+
+    void read(const CellWindow& window, double* values) {
+        if (!keeps) return file->read(window, values);
+        const std::array place{window.row, window.column, window.rows, window.columns};
+        auto known = kept.find(place);
+        if (known == kept.end()) {
+            std::vector<double> read(static_cast<std::size_t>(window.rows * window.columns));
+            file->read(window, read.data());
+            known = kept.emplace(place, std::move(read)).first;
+        }
+        std::copy(known->second.begin(), known->second.end(), values);
+    }
+};
+
+std::shared_ptr<DtmWindows> open_dtm(const std::string& path, const GridSpec& grid, const std::string& crs,
+                                     const std::string& vertical_unit, const std::optional<double>& nodata_value,
+                                     const Place& where, bool keeps) {
+    return std::make_shared<DtmWindows>(
+        DtmWindows{std::make_shared<const gis::RasterOnDemand>(path, grid, crs, gis::Resampling::automatic,
+                                                               vertical_unit, nodata_value, where),
+                   keeps});
+}
+
+std::vector<Sentence> suspicions_of(const gis::RasterOnDemand* file) {
+    return file->suspicions();
+}
+
 /// A window of the DTM whose holes are filled as those of the whole are: what lies farther than the distance of filling
 /// has no effect.
-void read_filled(const gis::RasterOnDemand& file, const GridSpec& grid, const CellWindow& window, double* values) {
+void read_filled(DtmWindows& file, const GridSpec& grid, const CellWindow& window, double* values) {
     file.read(window, values);
     const std::int64_t count = window.rows * window.columns;
     if (std::none_of(values, values + count, [](double z) { return std::isnan(z); })) return;
@@ -274,12 +308,14 @@ void read_filled(const gis::RasterOnDemand& file, const GridSpec& grid, const Ce
 void read_on_demand(const SceneReading& reading, const GridSpec& grid, TerrainInput& input, RunLog& log) {
     const TerrainSpec& spec = reading.scene.terrain;
     const Place where = reading.where("terrain.dtm");
-    const auto file = std::make_shared<const gis::RasterOnDemand>(
-        spec.dtm, grid, spec.dtm_crs ? input.file.crs_wkt : "", gis::Resampling::automatic, spec.vertical_unit,
-        spec.nodata_value, where);
-    gis::RasterRead known = file->known();
+    const std::string crs = spec.dtm_crs ? input.file.crs_wkt : "";
+    const bool keeps = reading.reads_on_demand;  // what its session has read is of one slope, on one thread
+    const std::shared_ptr<DtmWindows> file =
+        keeps ? reading.session.read(open_dtm, spec.dtm, grid, crs, spec.vertical_unit, spec.nodata_value, where, true)
+              : open_dtm(spec.dtm, grid, crs, spec.vertical_unit, spec.nodata_value, where, false);
+    gis::RasterRead known = file->file->known();
     log.warn_of(worded("DTM"), known.warnings);
-    input.on_demand = file;
+    input.on_demand = file->file;
     input.terrain.grid = grid;
     input.terrain.values = CellValues::tiled(grid.rows, grid.columns, k_no_data,
                                              [file, grid, fills = reading.scene.numerics.nodata == NodataPolicy::fill,
@@ -391,7 +427,10 @@ void check_ground_read(const SceneReading& reading, const TerrainInput& ground, 
     if (!ground.on_demand) return;
     for (const CellWindow& window : terrain.values.stored_windows(terrain.grid.columns))
         check_terrain(reading, part_of(terrain, window), terrain.grid, log);
-    log.warn_of(worded("DTM"), ground.on_demand->suspicions());
+    // Of what was read so far: not of what earlier draws came to.
+    const gis::RasterOnDemand* const file = ground.on_demand.get();
+    log.warn_of(worded("DTM"),
+                reading.reads_on_demand ? reading.session.read(suspicions_of, file) : suspicions_of(file));
 }
 
 std::optional<TerrainInput> prepare_terrain(const SceneReading& reading, RunLog& log, Problems& problems) {
