@@ -18,6 +18,7 @@
 #include "app/store/result_directory.h"
 #include "app/study/plan/calibration_input.h"
 #include "app/study/plan/region_input.h"
+#include "app/study/pool/member_runs.h"
 #include "app/study/publish/scheme_check.h"
 #include "app/study/publish/study_exposure.h"
 #include "app/study/publish/study_files.h"
@@ -76,10 +77,8 @@ struct StudyCost {
     bool may_end_early = false;   ///< not all members may run
     std::int64_t peak_bytes = 0, worker_bytes = 0;
 
-    /// @param members as long as the central one
-    void add(const StudyForecast& one, double members) {
-        seconds += one.member_seconds() * members;
-        is_lower_bound = is_lower_bound || !one.trial;
+    void add(double more_seconds, const StudyForecast& one) {
+        seconds += more_seconds;
         peak_bytes = std::max(peak_bytes, one.peak_bytes);
         worker_bytes = std::max(worker_bytes, one.worker_bytes);
     }
@@ -105,6 +104,28 @@ void add_end(const StudyCost& cost, int threads, const std::string& directory, J
                    {"estimate_is_lower_bound", cost.is_lower_bound},
                    {"memory_bytes", cost.peak_bytes}};
     json["result"] = result_json(directory);
+}
+
+/// Returns the mean wall time of members that are run as a trial, spread over all [s]; none if one takes too long: then
+/// larger cells must do.
+std::optional<double> tried_seconds(const study::StudyInput& input) {
+    constexpr double k_trial = 3, k_first = 6;  // [s]
+    constexpr std::size_t k_most = 16;
+    const std::size_t all = input.table.size();
+    double sum = 0, longest = 0;
+    std::size_t count = 0;
+    for (std::size_t i = 1; i <= std::min(all, k_most) && sum + longest <= k_trial; ++i) {
+        double place = 0;  // 1/2, 1/4, 3/4, 1/8 ...
+        for (std::size_t rest = i, half = 1; rest > 0; rest /= 2)
+            place += static_cast<double>(rest % 2) / static_cast<double>(half *= 2);
+        const auto seconds =
+            study::seconds_of_member(input, static_cast<std::size_t>(place * static_cast<double>(all)), k_first);
+        if (!seconds) break;
+        ++count;
+        sum += *seconds;
+        longest = std::max(longest, *seconds);
+    }
+    return count > 0 ? std::optional(sum / static_cast<double>(count)) : std::nullopt;
 }
 
 /// Slopes take time by their areas.
@@ -358,11 +379,16 @@ Json check_study(const std::string& path, study::StudyKind kind, const std::opti
     cost.may_end_early = study.is_calibration() || study.until;
     for (const study::StudyInput* one : input.studies()) {
         load_drawing(one->base.spec.output.maps.front() != "off", false, Loading::later);
-        const StudyForecast forecast = forecast_study(*one, threads, true);
+        const auto tried = tried_seconds(*one);
+        const bool has_particles = one->base.scene.numerics.scheme != Scheme::finite_volume;
+        const StudyForecast forecast = forecast_study(*one, threads, !tried || has_particles);
         refuse_study_beyond_memory(*one, forecast, threads);
-        cost.add(forecast, study.is_calibration()
-                               ? static_cast<double>(study.samples) + static_cast<double>(study::forecast_runs(study))
-                               : members_of(*one, plans));
+        const double members = study.is_calibration() ? static_cast<double>(study.samples) +
+                                                            static_cast<double>(study::forecast_runs(study))
+                               : tried ? static_cast<double>(one->members())
+                                       : members_of(*one, plans);
+        cost.add(tried.value_or(forecast.member_seconds()) * members, forecast);
+        cost.is_lower_bound = cost.is_lower_bound || !(tried || forecast.trial);
     }
     if (print) {
         constexpr const char* k_names[] = {"Study", "Region", "Calibration"};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <ctime>
 #include <exception>
 #include <string>
 #include <utility>
@@ -146,8 +147,10 @@ std::optional<T> take_first(std::deque<T>& list) {
 std::optional<double> seconds_of_member(const StudyInput& input, std::size_t member, double most) {
     SlopeReads reads;
     const Stopwatch watch;
-    const auto record = run_member(input, {member, input.table.overrides(member)}, reads,
-                                   [&] { return watch.seconds() > most || stop_signal() != 0; });
+    const std::clock_t began = std::clock();
+    const auto record = run_member(input, {member, input.table.overrides(member)}, reads, [&] {
+        return static_cast<double>(std::clock() - began) > most * CLOCKS_PER_SEC || stop_signal() != 0;
+    });
     return record ? std::optional(watch.seconds()) : std::nullopt;
 }
 

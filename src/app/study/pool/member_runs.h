@@ -40,7 +40,7 @@ std::optional<MemberRecord> own_record(const StudyInput& input, const RecordPlac
 MemberRecord require_own_record(const StudyInput& input, const RecordPlace& place, std::size_t member);
 
 /// Returns the wall time of a member of the table on one thread, from its files to its record [s]; none if it takes
-/// longer than `most`. Throws Error(environment).
+/// more processor time than `most`. Throws Error(environment).
 std::optional<double> seconds_of_member(const StudyInput& input, std::size_t member, double most);
 
 /// Threads that run the members they are given and keep the records until somebody takes them. An
