@@ -499,7 +499,8 @@ FRANA_INLINE void finish_cells(const Cells& c, std::size_t k, std::size_t n, con
         L::store(select(deep, max(old, value), old), to + k, n);
     };
     keep(h, c.max_depth);
-    keep(speed, c.max_speed);
+    // What friction stops within the step came in at the speed of what passed the faces: it was not at rest.
+    keep(select(speed > 0, speed, min(driven, passed / some)), c.max_speed);
     const Number arrival = at(c.arrival_plus_1);
     L::store(select(deep & L::none(arrival > 0), Number(v.time + 1), arrival), c.arrival_plus_1 + k, n);
     const auto to_greatest = [&](Number value, double* lanes) FRANA_INLINE_LAMBDA {
