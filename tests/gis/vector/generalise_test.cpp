@@ -55,6 +55,11 @@ std::unique_ptr<OGRGeometry> buffered(const Polygon& part, double distance) {
     return std::unique_ptr<OGRGeometry>(to_ogr(part)->Buffer(distance));
 }
 
+double common_area(const MultiPolygon& a, const MultiPolygon& b) {
+    const std::unique_ptr<OGRGeometry> both(to_ogr(a)->Intersection(to_ogr(b).get()));
+    return OGR_G_Area(OGRGeometry::ToHandle(both.get()));
+}
+
 TEST(Generalise, ZonesAreWideLargeValidAndBesideEachOther) {
     const std::vector<MultiPolygon> cells = at_least(classes());
     const LeastZone least{200, 6, k_cell / 1.5};
@@ -71,8 +76,7 @@ TEST(Generalise, ZonesAreWideLargeValidAndBesideEachOther) {
             for (const Ring& hole : part.holes) EXPECT_GE(area(hole), least.area);
         }
         for (std::size_t j = 0; j < i; ++j) {
-            const std::unique_ptr<OGRGeometry> both(to_ogr(zones[i])->Intersection(to_ogr(zones[j]).get()));
-            EXPECT_LT(OGR_G_Area(OGRGeometry::ToHandle(both.get())), 1e-6) << "rounding of common corners";
+            EXPECT_LT(common_area(zones[i], zones[j]), 1e-6) << "rounding of common corners";
         }
     }
     // One area without gaps: its outline has no holes, and it is nearly that of the cells.
@@ -112,7 +116,7 @@ TEST(Generalise, NoZoneIsSmallOrOfAClassThatIsNotThere) {
                 EXPECT_GE(area(part), least.area) << trial << ' ' << i;
                 EXPECT_TRUE(to_ogr(part)->IsValid());
             }
-            for (std::size_t j = 0; j < i; ++j) EXPECT_LT(shared_area(zones[i], zones[j]), 1e-5) << trial;
+            for (std::size_t j = 0; j < i; ++j) EXPECT_LT(common_area(zones[i], zones[j]), 1e-5) << trial;
         }
         if (trial % 3 == 0) {
             EXPECT_TRUE(zones[0].empty()) << trial << ": no cell is of this class";
