@@ -250,7 +250,7 @@ exec "$@"
         use_program(FRANA)
     with open(log, encoding="utf-8") as file:
         calls = file.read()
-    assert "-- frana run " in calls and "-- pkill -INT -n -x frana" in calls, calls
+    assert "-- frana run " in calls and "-- pkill -INT -f -- --out" in calls, calls
 
 
 def test_observed_deposit():

@@ -17,7 +17,7 @@ from qgis.core import QgsProcessingException, QgsProcessingFeedback
 from .fields import Field
 from .messages import problems_of, progress_of, warning_of
 from .translation import tr
-from .wsl import command, is_wsl, outside
+from .wsl import command, inside, is_wsl, outside
 
 try:
     import fcntl
@@ -106,7 +106,7 @@ def run_program(words: list[str], feedback: QgsProcessingFeedback) -> Finished:
         finally:
             os.close(slave)
         try:
-            _follow(process, words[0], master, lines, reader, feedback)
+            _follow(process, words, master, lines, reader, feedback)
         finally:
             os.close(master)
         for line in lines.end():
@@ -129,7 +129,7 @@ def _read(end: int, data: queue.Queue) -> None:
             return
 
 
-def _follow(process: subprocess.Popen, program: str, master: int, lines: _Lines, reader: _Reader,
+def _follow(process: subprocess.Popen, words: list[str], master: int, lines: _Lines, reader: _Reader,
             feedback: QgsProcessingFeedback) -> None:
     asked_to_stop = False
     data: queue.Queue = queue.Queue()
@@ -149,8 +149,10 @@ def _follow(process: subprocess.Popen, program: str, master: int, lines: _Lines,
         if feedback.isCanceled() and not asked_to_stop:
             asked_to_stop = True
             feedback.setProgressText(tr("Stopping: the program writes what it has"))
-            if is_wsl(program):  # a signal does not pass from Windows to Linux
-                subprocess.run([program, "--", "pkill", "-INT", "-n", "-x", "frana"], check=False)
+            if is_wsl(words[0]):  # a signal does not pass from Windows to Linux
+                own = "--out " + inside(words[words.index("--out") + 1]) if "--out" in words else "frana"
+                run = re.sub(r"([.^$*+?()\[\]{}|\\])", r"\\\1", own)
+                subprocess.run([words[0], "--", "pkill", "-INT", "-f", "--", run], check=False)
             else:
                 process.send_signal(signal.SIGINT)
     thread.join()
