@@ -25,8 +25,8 @@ class MovieWriter {
     MovieWriter(const MovieWriter&) = delete;
     MovieWriter& operator=(const MovieWriter&) = delete;
 
-    /// Adds a picture, stored once and shown as long as the given number of frames. Throws Error(input) for another size, Error(environment) if
-    /// writing fails.
+    /// Adds a picture, stored once and shown as long as the given number of frames. Throws Error(input) for another
+    /// size, Error(environment) if writing fails.
     void add(const Image& image, int frames = 1);
 
     /// Completes and renames the file. Throws Error(environment), also if no frame was added.

@@ -165,8 +165,9 @@ TEST_F(ReadScene, OutputsThatContradictAreRefusedTogether) {
                                               "sample-interval = 1\nmap-scale = 5000\nmap-size = 800x600\n");
     EXPECT_TRUE(has_problem(all, "output.formats", "particles-gpkg"));
     EXPECT_TRUE(has_problem(all, "output.sample-interval", "1"));
-    EXPECT_TRUE(has_problem(all, "output.map-scale", "5000",
-                            "A4, A3, A4-portrait, A4-landscape, A3-portrait, A3-landscape; output.map-size is 800x600"));
+    EXPECT_TRUE(
+        has_problem(all, "output.map-scale", "5000",
+                    "A4, A3, A4-portrait, A4-landscape, A3-portrait, A3-landscape; output.map-size is 800x600"));
     EXPECT_EQ(all.size(), 3U);
     EXPECT_TRUE(no_problem(problems(k_least + "[output]\nmap-scale = 5000\nmap-size = A3-portrait@300\n")));
     EXPECT_TRUE(no_problem(problems(k_least + "[output]\nformats = particles-gpkg\n")))

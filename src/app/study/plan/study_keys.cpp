@@ -111,8 +111,8 @@ std::string text_with_deviation(double value, double deviation) {
     return shortest_text(value) + (deviation > 0 ? " +- " + shortest_text(deviation) : "");
 }
 
-constexpr double k_most_rate = 10, k_most_years = 1e6;  // a year; beyond, nobody knows
-constexpr double k_most_deviation = 3;                  // of the rate: a decimal point in the wrong place
+constexpr double k_most_rate = 5, k_most_years = 1e6;  // a year; beyond, nobody knows
+constexpr double k_most_deviation = 3;                 // of the rate: a decimal point in the wrong place
 
 StudyKey rate_key() {
     const auto read = [](auto& target, const std::string& text) -> std::optional<ValueProblem> {

@@ -124,8 +124,7 @@ void publish_calibration_maps(const StudyInput& input, const CalibrationRuns& ru
         directory.make_folder("maps");
         is_drawn("maps/" + name, log, [&] {
             const MapSource source = source_of(input, e, runs.events[e], result.events[e].best, window, troubles);
-            const MapLayer layer =
-                read_map_layer(directory.path(name + ".tif"), source.style.words);
+            const MapLayer layer = read_map_layer(directory.path(name + ".tif"), source.style.words);
             LayerDrawer drawer(source);
             if (base.spec.output.report) {
                 directory.make_folder(k_page_folder);

@@ -85,7 +85,7 @@ TEST_F(ReadStudy, RefusesAFrequencyThatCannotBeMeant) {
     EXPECT_TRUE(all("rate = 0.05\n", vary).empty());
     const std::vector<Problem> years = all("rate = 20\n", vary);  // a return period
     ASSERT_TRUE(
-        has_problem(years, "frequency.rate", "20", "greater than 0, at most 10, perhaps +- its standard deviation"));
+        has_problem(years, "frequency.rate", "20", "greater than 0, at most 5, perhaps +- its standard deviation"));
     EXPECT_NE(years.front().remedy.find("write 0.05"), std::string::npos) << years.front().remedy;
     EXPECT_TRUE(has_problem(all("rate = -1\n", vary), "frequency.rate", "-1"));
     EXPECT_TRUE(has_problem(all("rate = 0.05 +- 20 %\n", vary), "frequency.rate"));
