@@ -158,16 +158,16 @@ namespace {
 // All measured, with GDAL 3.6, VTK 9.1 and Mesa 22, on maps of 2000 to 20 000 000 cells and pages of 0.3 to 64 million
 // pixels. Results and temporary data while files are written and pictures drawn, after the engine's memory was freed.
 constexpr std::int64_t k_result_cell_bytes = 120;
-// Code and tables of the drawing libraries; drawn parts of a map and a view, which remain while more are drawn; relief
-// and mesh.
-constexpr std::int64_t k_picture_bytes = 98'000'000, k_map_pixel_bytes = 17, k_view_pixel_bytes = 34,
-                       k_drawn_cell_bytes = 28;
+// Code and tables of the drawing libraries, of views with OpenGL's; drawn parts of a map and a view, which remain while
+// more are drawn; relief and mesh.
+constexpr std::int64_t k_picture_bytes = 38'000'000, k_view_bytes = 60'000'000, k_map_pixel_bytes = 17,
+                       k_view_pixel_bytes = 34, k_drawn_cell_bytes = 28;
 // The pictures that an encoder keeps in its look-ahead and look-back; a view's animation has two pictures in progress.
 constexpr std::int64_t k_animation_bytes = 10'000'000, k_animation_pixel_bytes = 15;
 // A step's row in memory, during formatting, and while charts are drawn from the file's text.
 constexpr std::int64_t k_step_bytes = 180, k_step_text_bytes = 450, k_step_chart_bytes = 1500;
 // Code and tables of computing and writing.
-constexpr std::int64_t k_computing_bytes = 30'000'000;
+constexpr std::int64_t k_computing_bytes = 20'000'000;
 // Frames waiting for the disk contain both quantities; particles eight numbers each, VTK's and GDAL's copies.
 constexpr std::int64_t k_frame_cell_bytes = 40, k_frame_particle_bytes = 330;
 // Per cell that nothing reaches: tables of tiles, and terrain and bed where these are read whole, with their files.
@@ -191,7 +191,7 @@ Drawing drawing_of(const Prepared& prepared, std::int64_t cells) {
     drawing.cells = cells;
     if (draws_maps(prepared) || prepared.scar) drawing.page = page;
     drawing.views = std::any_of(output.maps.begin(), output.maps.end(),
-                                [](const std::string& name) { return name == "on" || name.ends_with("_3d"); });
+                                [](const std::string& name) { return name.ends_with("_3d"); });
     drawing.maps = prepared.scar || output.charts ||
                    !std::all_of(output.maps.begin(), output.maps.end(),
                                 [](const std::string& name) { return name.ends_with("_3d"); });
@@ -248,7 +248,7 @@ std::int64_t memory_of_drawing(const Drawing& drawing) {
     if (pixels(drawing.page) == 0 && pixels(drawing.animation) == 0) return 0;
     const std::int64_t of_pixel = (drawing.maps ? k_map_pixel_bytes : 0) + (drawing.views ? k_view_pixel_bytes : 0);
     // The animation is drawn after the maps, in the memory they leave: 32 MB more than these alone, measured.
-    std::int64_t bytes = k_picture_bytes + drawing.cells * k_drawn_cell_bytes +
+    std::int64_t bytes = k_picture_bytes + (drawing.views ? k_view_bytes : 0) + drawing.cells * k_drawn_cell_bytes +
                          std::max(pixels(drawing.page), pixels(drawing.animation)) * of_pixel;
     if (pixels(drawing.animation) > 0) bytes += k_animation_bytes + pixels(drawing.animation) * k_animation_pixel_bytes;
     return bytes;

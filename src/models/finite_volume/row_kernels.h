@@ -435,7 +435,8 @@ FRANA_INLINE void update_cells(const Cells& c, std::size_t k, std::size_t q, std
 }
 
 /// After the sweeps: the turn of the bed (mpm/curvature.h), friction, the bound of the energy line, maxima and sums.
-/// Reads head of 3 x 3 cells, start, held.
+/// What friction stops within the step counts in the maxima at the speed of what passed the faces. Reads head of 3 x 3
+/// cells, start, held.
 template <class Number, class Friction>
 FRANA_INLINE void finish_cells(const Cells& c, std::size_t k, std::size_t n, const StepValues& v,
                                const Friction& friction, StripTotals& totals) {
@@ -499,7 +500,7 @@ FRANA_INLINE void finish_cells(const Cells& c, std::size_t k, std::size_t n, con
         L::store(select(deep, max(old, value), old), to + k, n);
     };
     keep(h, c.max_depth);
-    // What friction stops within the step came in at the speed of what passed the faces: it was not at rest.
+    // What friction stops within the step came at the speed of what passed the faces.
     keep(select(speed > 0, speed, min(driven, passed / some)), c.max_speed);
     const Number arrival = at(c.arrival_plus_1);
     L::store(select(deep & L::none(arrival > 0), Number(v.time + 1), arrival), c.arrival_plus_1 + k, n);
