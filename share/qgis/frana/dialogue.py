@@ -58,7 +58,7 @@ def dialogue_by_sections(algorithm, parent: QWidget | None) -> AlgorithmDialog:
         for part in (label, widget):
             if part is not None:
                 boxes[title].layout().addWidget(part)
-    _tell_implied(algorithm, dialogue)
+    _Implied(algorithm, dialogue)
     _preselect(algorithm, dialogue)
     guard = WheelNeedsFocus(dialogue)
     for kind in (QAbstractSpinBox, QComboBox):
@@ -68,23 +68,29 @@ def dialogue_by_sections(algorithm, parent: QWidget | None) -> AlgorithmDialog:
     return dialogue
 
 
-def _tell_implied(algorithm, dialogue: AlgorithmDialog) -> None:
-    """In the brackets of a field, where it stays empty: what process and country imply."""
-    wrappers = dialogue.mainWidget().wrappers
-    asked = [wrappers[name] for name in ("PROCESS", "COUNTRY", "material_return_period") if name in wrappers]
+class _Implied(QObject):
+    """Tells in the brackets of a field what process and country imply where it stays empty. It holds none of the dialogue's
+    parts: one that outlived its window would take QGIS along when the project changes."""
 
-    def tell(*_) -> None:
-        values = Values(algorithm, {one.parameterDefinition().name(): one.parameterValue() for one in asked}, None)
-        found = algorithm.implied(values)
-        for field in algorithm.fields:
-            wrapper = wrappers.get(field.name)
+    def __init__(self, algorithm, dialogue: AlgorithmDialog) -> None:
+        super().__init__(dialogue)
+        self.algorithm = algorithm
+        for wrapper in self._asked():
+            wrapper.widgetValueHasChanged.connect(self.tell)
+
+    def _asked(self) -> list:
+        wrappers = self.parent().mainWidget().wrappers
+        return [wrappers[name] for name in ("PROCESS", "COUNTRY", "material_return_period") if name in wrappers]
+
+    def tell(self, *_) -> None:
+        values = Values(self.algorithm, {one.parameterDefinition().name(): one.parameterValue() for one in self._asked()}, None)
+        found = self.algorithm.implied(values)
+        for field in self.algorithm.fields:
+            wrapper = self.parent().mainWidget().wrappers.get(field.name)
             if field.key.name in _KEYS and wrapper is not None and wrapper.wrappedLabel() is not None:
                 wrapper.wrappedLabel().setText(
                     f"{field.key.short_title()} ({found[field.key.name]})" if field.key.name in found else
-                    field.label(field.name, not algorithm.is_first(field)))
-
-    for wrapper in asked:
-        wrapper.widgetValueHasChanged.connect(tell)
+                    field.label(field.name, not self.algorithm.is_first(field)))
 
 
 def _preselect(algorithm, dialogue: AlgorithmDialog) -> None:

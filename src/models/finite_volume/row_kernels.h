@@ -476,8 +476,7 @@ FRANA_INLINE void finish_cells(const Cells& c, std::size_t k, std::size_t n, con
     const Number share = friction_share<Number>(at(c.before), some);
     const Number slowed =
         friction.template speed_after<Number>(k, n, began, driven, held, step, root, supported * share, some / share);
-    // What passes the faces, along the flow: at the rim of a deposit waves may carry back all that the speed of a cell
-    // carries. Friction works over the way of what passes; where that is next to nothing, what it leaves is no motion.
+    // Friction works over the way of what passes the faces: at a rim waves carry back all that a cell's speed carries.
     const Number fluxed_x = at(c.pull_x), fluxed_y = at(c.pull_y),
                  climb = (fluxed_x * slope_x + fluxed_y * slope_y) / (root + 1);
     const Number passed = max(zero, tx * (fluxed_x + climb * slope_x) + ty * (fluxed_y + climb * slope_y)) /
