@@ -245,7 +245,11 @@ std::string study_text(const std::string& scene, const SceneDraft&) {
            "# To be given: only you know what is uncertain, and how much (share/doc/ensembles.md).\n"
            "# release.volume = triangular(LEAST, LIKELIEST, GREATEST)\n"
            "# material.friction-angle = triangular(LEAST, LIKELIEST, GREATEST)\n"
-           "# material.turbulence = log-uniform(LEAST, GREATEST)\n";
+           "# material.turbulence = log-uniform(LEAST, GREATEST)\n\n"
+           "# How often the slope fails, with which volumes [m3] exceeded once in so many years; release.volume goes "
+           "from\n"
+           "# [vary] then. Without it every probability is that of a slope that has failed.\n"
+           "# [frequency]\n# volumes = 8000: 30, 15000: 100, 35000: 300\n";
 }
 
 /// The same of a region; columns that were found stand in it.

@@ -46,12 +46,16 @@ class Frequency : public Ensemble {
     /// Rows of hazard_curves.csv of the depth at a gauge.
     [[nodiscard]] Rows curve(const std::string& gauge) const {
         const gis::Table table = gis::read_table(path("out/hazard_curves.csv"), "curves");
-        EXPECT_EQ(table.columns,
-                  (std::vector<std::string>{"kind", "place", "quantity", "value", "annual_rate", "low", "high"}));
+        EXPECT_EQ(table.columns, (std::vector<std::string>{"kind", "place", "quantity", "value", "annual_rate", "low",
+                                                           "high", "median"}));
         Rows rows;
         for (const auto& cells : table.rows)
             if (cells[1] == gauge && cells[2] == "max_depth_m")
-                rows.push_back({{"value", cells[3]}, {"rate", cells[4]}, {"low", cells[5]}, {"high", cells[6]}});
+                rows.push_back({{"value", cells[3]},
+                                {"rate", cells[4]},
+                                {"low", cells[5]},
+                                {"high", cells[6]},
+                                {"median", cells[7]}});
         return rows;
     }
 };
@@ -80,6 +84,9 @@ TEST_F(Frequency, RatesOfAPileAtRestAreThoseOfItsVolumes) {
         EXPECT_GE(truth, std::stod(row.at("low")) - 0.02 * truth) << depth;
         EXPECT_LE(truth, std::stod(row.at("high")) + 0.02 * truth) << depth;
         EXPECT_NEAR(rate / truth, 1, 0.25) << depth;
+        // Of a gamma distribution the median lies below the mean.
+        EXPECT_GT(std::stod(row.at("median")), std::stod(row.at("low"))) << depth;
+        EXPECT_LT(std::stod(row.at("median")), rate) << depth;
         ++compared;
     }
     EXPECT_GE(compared, 3);

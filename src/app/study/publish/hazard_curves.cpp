@@ -2,6 +2,7 @@
 #include "app/study/publish/hazard_curves.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -49,13 +50,14 @@ std::vector<double> curve_levels(double greatest, const std::vector<double>& thr
     return {all.begin(), all.end()};
 }
 
-/// Fractiles of 5 and 95 % of a gamma distribution.
-std::pair<double, double> fractiles(double mean, double deviation) {
+/// Fractiles of 5, 50 and 95 % of a gamma distribution.
+std::array<double, 3> fractiles(double mean, double deviation) {
     constexpr double k_certain = 1e-6;
-    if (!(deviation > k_certain * mean)) return {mean, mean};
-    const std::vector<double> both = openturns().quantiles({Law::gamma, {mean, deviation}, {}, {}, {}}, {0.05, 0.95});
+    if (!(deviation > k_certain * mean)) return {mean, mean, mean};
+    std::vector<double> all = openturns().quantiles({Law::gamma, {mean, deviation}, {}, {}, {}}, {0.05, 0.5, 0.95});
     constexpr double k_never = 1e-9;  // a year: rarer than anybody can tell
-    return {both[0] < k_never ? 0 : both[0], both[1]};
+    for (double& one : all) one = one < k_never ? 0 : one;
+    return {all[0], all[1], all[2]};
 }
 
 using Values = std::span<const float>;
@@ -86,16 +88,16 @@ std::vector<std::vector<std::size_t>> cells_of(const std::vector<CurvePlace>& pl
 HazardPoint hazard_point(const AnnualRates& rates, Values values, double threshold) {
     const AnnualRate rate = rates.exceeded(hits_of(values), threshold);
     const FrequencySpec::Rate all = rates.of_all();
-    const double most = fractiles(all.value, all.deviation).second;  // no event is not among all
+    const double most = fractiles(all.value, all.deviation).back();  // no event is not among all
     if (!(rate.value > 0)) return {threshold, 0, 0, std::min(rate.margin, most)};
-    const auto [low, high] = fractiles(rate.value, rate.margin / k_normal);
-    return {threshold, rate.value, low, std::min(high, most)};
+    const auto [low, median, high] = fractiles(rate.value, rate.margin / k_normal);
+    return {threshold, rate.value, low, std::min(high, most), std::min(median, most)};
 }
 
 double hazard_bound(const AnnualRates& rates, Values runs, double threshold) {
     const FrequencySpec::Rate all = rates.of_all();
     const double bound = rates.bound(hits_of(runs), threshold);
-    return fractiles(bound, bound * all.deviation / all.value).second;
+    return fractiles(bound, bound * all.deviation / all.value).back();
 }
 
 Damage mean_damage(const StudyResult& result, std::span<const double> damages, double most) {
@@ -105,9 +107,9 @@ Damage mean_damage(const StudyResult& result, std::span<const double> damages, d
     }
     const AnnualRate sum = result.rates->sum(damages, most);
     const FrequencySpec::Rate all = result.rates->of_all();
-    const double greatest = most * fractiles(all.value, all.deviation).second;
+    const double greatest = most * fractiles(all.value, all.deviation).back();
     if (!(sum.value > 0)) return {0, 0, std::min(sum.margin, greatest)};
-    const auto [low, high] = fractiles(sum.value, sum.margin / k_normal);
+    const auto [low, median, high] = fractiles(sum.value, sum.margin / k_normal);
     return {sum.value, low, std::min(high, greatest)};
 }
 
@@ -120,7 +122,7 @@ double damage_bound(const StudyResult& result, std::span<const double> runs, dou
     }
     const FrequencySpec::Rate all = result.rates->of_all();
     const double bound = result.rates->bound_of_sum(runs, most);
-    return fractiles(bound, bound * all.deviation / all.value).second;
+    return fractiles(bound, bound * all.deviation / all.value).back();
 }
 
 std::vector<HazardCurve> hazard_curves(const StudyInput& input, const StudyResult& result, bool with_objects) {
@@ -205,11 +207,12 @@ std::string disaggregation_csv(const StudyInput& input, const StudyResult& resul
 }
 
 std::string hazard_curves_csv(const std::vector<HazardCurve>& curves) {
-    Table table({"kind", "place", "quantity", "value", "annual_rate", "low", "high"});
+    Table table({"kind", "place", "quantity", "value", "annual_rate", "low", "high", "median"});
     for (const HazardCurve& curve : curves)
         for (const HazardPoint& point : curve.points)
             table.row({curve.kind, curve.place, curve.quantity.key, shortest_text(point.value),
-                       shortest_text(point.rate), shortest_text(point.low), shortest_text(point.high)});
+                       shortest_text(point.rate), shortest_text(point.low), shortest_text(point.high),
+                       shortest_text(point.median)});
     return table.csv();
 }
 

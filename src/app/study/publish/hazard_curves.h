@@ -13,9 +13,9 @@ namespace frana::app::study {
 
 /// How often a value is exceeded.
 struct HazardPoint {
-    double value = 0;          ///< in the quantity's unit
-    double rate = 0;           ///< events a year
-    double low = 0, high = 0;  ///< its fractiles of 5 and 95 %
+    double value = 0;                      ///< in the quantity's unit
+    double rate = 0;                       ///< events a year
+    double low = 0, high = 0, median = 0;  ///< its fractiles of 5, 95 and 50 %
 };
 
 /// A quantity of hazard curves, whose title and unit are those of a raster.
