@@ -326,22 +326,20 @@ StudyOutcome publish_study(StudyInput& input, std::size_t members, std::size_t c
         if (facts.scheme_check)
             for (const auto& [name, value] : rows_of(*facts.scheme_check))
                 log.info(worded("{1}: {2}", {name, value}).text());
-        if (const auto doubt = facts.scheme_check ? warning_of(*facts.scheme_check, is_region) : std::nullopt) {
-            const Warning first{*doubt, true};
+        const auto warn_first = [&](const Sentence& doubt) {
+            const Warning first{doubt, true};
             log.tell({first});
             facts.warnings.insert(facts.warnings.begin(), first);
             input.base.scene.warnings += Warnings{first};
-        }
-        const auto is_unknown = [](const Source& source) { return !(source.rate.value > 0); };
-        if (const auto& all = result.rates;
-            all && std::any_of(all->sources().begin(), all->sources().end(), is_unknown)) {
-            const auto unknown = std::count_if(all->sources().begin(), all->sources().end(), is_unknown);
-            const Warning first{
-                worded("annual rates lack {1} slopes: their rates are unknown", {numeral(std::to_string(unknown))}),
-                true};
-            log.tell({first});
-            facts.warnings.insert(facts.warnings.begin(), first);
-            input.base.scene.warnings += Warnings{first};
+        };
+        if (const auto doubt = facts.scheme_check ? warning_of(*facts.scheme_check, is_region) : std::nullopt)
+            warn_first(*doubt);
+        if (const auto& all = result.rates) {
+            const auto unknown = std::count_if(all->sources().begin(), all->sources().end(),
+                                               [](const Source& source) { return !(source.rate.value > 0); });
+            if (unknown > 0)
+                warn_first(worded("annual rates lack {1} slopes: their rates are unknown",
+                                  {numeral(std::to_string(unknown))}));
         }
         if (is_region && result.rates) {
             publish_sources(input, result, directory);
