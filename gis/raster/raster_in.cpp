@@ -273,8 +273,8 @@ Raster read_result_raster(const std::string& path, int band) {
     if (grid.cell_count() <= CellValues::k_most_dense) {
         Raster raster;
         raster.grid = grid;
-        raster.values = source.read({0, 0, static_cast<int>(info.columns), static_cast<int>(info.rows)},
-                                    info.vertical_scale_to_metres);
+        const Window whole{0, 0, static_cast<int>(info.columns), static_cast<int>(info.rows)};
+        raster.values = source.read_plain(whole, info.vertical_scale_to_metres);
         return raster;
     }
     // What a sparse file does not contain is no data, or 0 where the file names no such value.
@@ -286,7 +286,7 @@ Raster read_result_raster(const std::string& path, int band) {
                                 static_cast<int>(std::min(k_at_once, grid.columns - column)),
                                 static_cast<int>(std::min(k_at_once, grid.rows - row))};
             if (!source.holds_any(window)) continue;
-            const std::vector<double> values = source.read(window, info.vertical_scale_to_metres);
+            const std::vector<double> values = source.read_plain(window, info.vertical_scale_to_metres);
             for (std::size_t k = 0; k < values.size(); ++k)
                 if (!std::isnan(values[k]))
                     raster.at(row + static_cast<std::int64_t>(k) / window.columns,

@@ -81,6 +81,10 @@ class RasterSource {
     /// data. Throws Error(input) if the part cannot be read.
     [[nodiscard]] std::vector<double> read(const Window& window, double unit) const;
 
+    /// The same of a file whose values are not suspected.
+    [[nodiscard]] std::vector<double> read_plain(const Window& window, double unit) const {
+        return read_coarse(window, window.columns, window.rows, unit);
+    }
     /// The same at a reduced number of columns and rows; each value is that of one cell in its part of the window.
     [[nodiscard]] std::vector<double> read_coarse(const Window& window, int columns, int rows, double unit) const;
 

@@ -164,46 +164,61 @@ void paint_dots(Image& page, const MapFrame& frame, const Dots& dots, const Colo
 
 namespace {
 
-/// The four cells around a place, those with a class, and how much each counts there.
-struct Around {
-    std::array<double, 4> values{}, weights{};
-    double covered = 0;  ///< sum of their weights: below a half the place lies beside the cells
+/// The classes of places on a layer.
+class PlaceClasses {
+  public:
+    PlaceClasses(const Raster& layer, const ColourScale& scale) : layer_(layer), scale_(scale) {}
+
+    /// Null beside the cells with a class: where these count less than a half of the four around a place. Otherwise
+    /// that of their mean, or of categories the one that counts most.
+    [[nodiscard]] const ColourClass* at(Point map) {
+        const GridSpec& grid = layer_.grid;
+        const double x = (map.x - grid.west) / grid.cell_size - 0.5, y = (grid.north - map.y) / grid.cell_size - 0.5;
+        const double left = std::floor(x), top = std::floor(y);
+        if (!(left >= -1 && top >= -1 && left < static_cast<double>(grid.columns) &&
+              top < static_cast<double>(grid.rows)))
+            return nullptr;
+        std::array<double, 4> values{}, weights{};
+        double covered = 0, sum = 0;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto across = static_cast<std::int64_t>(k % 2), down = static_cast<std::int64_t>(k / 2);
+            const auto column = static_cast<std::int64_t>(left) + across, row = static_cast<std::int64_t>(top) + down;
+            if (column < 0 || row < 0 || column >= grid.columns || row >= grid.rows) continue;
+            values[k] = layer_.at(row, column);
+            if (find(values[k]) == nullptr) continue;
+            weights[k] = (1 - std::abs(x - left - static_cast<double>(across))) *
+                         (1 - std::abs(y - top - static_cast<double>(down)));
+            covered += weights[k];
+            sum += weights[k] * values[k];
+        }
+        if (covered < 0.5) return nullptr;
+        return find(scale_.categorical() ? most_of(values, weights) : sum / covered);
+    }
+
+  private:
+    static double most_of(const std::array<double, 4>& values, const std::array<double, 4>& weights) {
+        double most = 0, greatest = 0;
+        for (std::size_t k = 0; k < 4; ++k) {
+            double same = 0;
+            for (std::size_t other = 0; other < 4; ++other)
+                if (values[other] == values[k]) same += weights[other];
+            if (weights[k] > 0 && same > most) greatest = values[k];
+            most = std::max(most, same);
+        }
+        return greatest;
+    }
+    /// Mostly that of the value before.
+    const ColourClass* find(double value) {
+        if (std::isnan(value)) return nullptr;
+        const bool same = last_ != nullptr && value > last_->lower && value < last_->upper;
+        if (!same) last_ = scale_.find(value);
+        return last_;
+    }
+
+    const Raster& layer_;
+    const ColourScale& scale_;
+    const ColourClass* last_ = nullptr;
 };
-
-Around around(const Raster& layer, const ColourScale& scale, Point map) {
-    const double x = (map.x - layer.grid.west) / layer.grid.cell_size - 0.5,
-                 y = (layer.grid.north - map.y) / layer.grid.cell_size - 0.5;
-    const double left = std::floor(x), top = std::floor(y);
-    Around found;
-    for (std::size_t k = 0; k < 4; ++k) {
-        const double column = left + static_cast<double>(k % 2), row = top + static_cast<double>(k / 2);
-        if (!(column >= 0 && row >= 0 && column < static_cast<double>(layer.grid.columns) &&
-              row < static_cast<double>(layer.grid.rows)))
-            continue;
-        found.values[k] = layer.at(static_cast<std::int64_t>(row), static_cast<std::int64_t>(column));
-        if (scale.find(found.values[k]) == nullptr) continue;
-        found.weights[k] = (1 - std::abs(x - column)) * (1 - std::abs(y - row));
-        found.covered += found.weights[k];
-    }
-    return found;
-}
-
-/// The class of a place: that of the mean of the cells around it, or of categories the one that counts most.
-const ColourClass* smooth_class(const Raster& layer, const ColourScale& scale, Point map) {
-    const Around cells = around(layer, scale, map);
-    if (cells.covered < 0.5) return nullptr;
-    double sum = 0, most = 0, greatest = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-        if (cells.weights[k] == 0) continue;
-        sum += cells.weights[k] * cells.values[k];
-        double same = 0;
-        for (std::size_t other = 0; other < 4; ++other)
-            if (cells.values[other] == cells.values[k]) same += cells.weights[other];
-        if (same > most) greatest = cells.values[k];
-        most = std::max(most, same);
-    }
-    return scale.find(scale.categorical() ? greatest : sum / cells.covered);
-}
 
 /// How the ground below changes a colour: its light and shade, lines and letters are seen through it. The legend's
 /// colours are those on its mean tone: relief is bright, a photograph dark.
@@ -213,20 +228,25 @@ class GroundLight {
         double sum = 0, count = 0;
         for (int row = 0; row < frame.height; row += k_apart)
             for (int column = 0; column < frame.width; column += k_apart, ++count)
-                sum += tone(page.pixel(frame.left + column, frame.top + row));
+                sum += static_cast<double>(tone(page.pixel(frame.left + column, frame.top + row)));
         for (std::size_t one = 0; one < light_.size(); ++one)
             light_[one] = std::clamp(std::pow(static_cast<double>(one) * count / std::max(sum, 1.0), 0.6), 0.4, 1.25);
     }
-    void tint(std::uint8_t* p, Rgb colour) const {
-        const double light = light_[static_cast<std::size_t>(tone(p))];
-        const std::array<std::uint8_t, 3> of{colour.r, colour.g, colour.b};
-        for (std::size_t k = 0; k < 3; ++k)
-            p[k] = static_cast<std::uint8_t>(std::min(255.0, std::round(of[k] * light)));
+    /// A colour on ground of every tone.
+    [[nodiscard]] std::array<Rgb, 256> on_tones(Rgb colour) const {
+        std::array<Rgb, 256> lit{};
+        for (std::size_t one = 0; one < lit.size(); ++one) {
+            const auto tinted = [&](std::uint8_t of) {
+                return static_cast<std::uint8_t>(std::min(255.0, std::round(of * light_[one])));
+            };
+            lit[one] = {tinted(colour.r), tinted(colour.g), tinted(colour.b)};
+        }
+        return lit;
     }
+    static std::size_t tone(const std::uint8_t* p) { return static_cast<std::size_t>(p[0] + p[1] + p[2]) / 3; }
 
   private:
     static constexpr int k_apart = 5;  // pixels that tell the mean
-    static int tone(const std::uint8_t* p) { return (p[0] + p[1] + p[2]) / 3; }
 
     std::array<double, 256> light_{};
 };
@@ -235,11 +255,9 @@ class GroundLight {
 struct PixelBox {
     int left, top, right, bottom;
 };
-PixelBox reached_pixels(const MapFrame& frame, const Raster& layer, int more) {
-    const auto data = data_bounds(layer);
-    if (!data) return {0, 0, 0, 0};
+PixelBox reached_pixels(const MapFrame& frame, const Bounds& data, int more) {
     PixelBox box{frame.width, frame.height, 0, 0};
-    for (const Point corner : corners(*data)) {
+    for (const Point corner : corners(data)) {
         const Point at = frame.alone().page(corner);
         const auto pixel = [&](double place, int most) {
             return static_cast<int>(std::clamp(place, -1.0, static_cast<double>(most) + 1));
@@ -254,30 +272,38 @@ PixelBox reached_pixels(const MapFrame& frame, const Raster& layer, int more) {
 }  // namespace
 
 void paint_cells(Image& page, const MapFrame& frame, const Raster& layer, const ColourScale& scale, int edge_px) {
-    const auto width = static_cast<std::size_t>(frame.width);
-    std::vector<char> coloured(width * static_cast<std::size_t>(frame.height));
-    const PixelBox box = reached_pixels(frame, layer, edge_px + 1);
+    const auto data = data_bounds(layer);
+    if (!data) return;
+    PlaceClasses classes(layer, scale);
+    const PixelBox box = reached_pixels(frame, *data, edge_px + 1);
     const GroundLight light(page, frame);
-    for (int row = box.top; row < box.bottom; ++row) {
-        for (int column = box.left; column < box.right; ++column) {
-            const ColourClass* found = smooth_class(layer, scale, frame.ground(column, row));
-            if (found == nullptr) continue;
-            light.tint(page.pixel(frame.left + column, frame.top + row), found->colour);
-            coloured[static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column)] = 1;
-        }
-    }
-    const auto is_coloured = [&](int column, int row) {
-        return column >= 0 && column < frame.width && row >= 0 && row < frame.height &&
-               coloured[static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column)] != 0;
+    std::vector<std::array<Rgb, 256>> colours;
+    for (const ColourClass& one : scale.classes()) colours.push_back(light.on_tones(one.colour));
+    const auto stride = static_cast<std::ptrdiff_t>(frame.width + 2 * edge_px);
+    std::vector<char> coloured(static_cast<std::size_t>(stride * (frame.height + 2 * edge_px)));  // with room around it
+    const auto mark = [&](int column, int row) {
+        return coloured.data() + (row + edge_px) * stride + column + edge_px;
     };
     for (int row = box.top; row < box.bottom; ++row) {
         for (int column = box.left; column < box.right; ++column) {
-            if (is_coloured(column, row)) continue;
-            bool at_edge = false;
-            for (int k = 1; k <= edge_px && !at_edge; ++k)
-                at_edge = is_coloured(column - k, row) || is_coloured(column + k, row) ||
-                          is_coloured(column, row - k) || is_coloured(column, row + k);
-            if (!at_edge) continue;
+            const ColourClass* found = classes.at(frame.ground(column, row));
+            if (found == nullptr) continue;
+            std::uint8_t* const p = page.pixel(frame.left + column, frame.top + row);
+            const Rgb lit = colours[static_cast<std::size_t>(found - scale.classes().data())][GroundLight::tone(p)];
+            p[0] = lit.r;
+            p[1] = lit.g;
+            p[2] = lit.b;
+            *mark(column, row) = 1;
+        }
+    }
+    for (int row = box.top; row < box.bottom; ++row) {
+        for (int column = box.left; column < box.right; ++column) {
+            const char* const here = mark(column, row);
+            if (*here != 0) continue;
+            char near = 0;
+            for (std::ptrdiff_t k = 1; k <= edge_px; ++k)
+                near |= here[-k] | here[k] | here[-k * stride] | here[k * stride];
+            if (near == 0) continue;
             std::uint8_t* p = page.pixel(frame.left + column, frame.top + row);
             for (int k = 0; k < 3; ++k) p[k] = static_cast<std::uint8_t>(p[k] * 2 / 5);
         }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@ namespace frana::render {
 
 /// Collects VTK's messages during its lifetime: VTK reports an error as text and continues, so that a wrong picture
 /// would appear to be right. Nothing is written to the terminal. A scope object: may be nested, must not outlive its
-/// block; the innermost collects.
+/// block; the innermost collects. VTK has one place for messages: other threads wait for the end of the outermost.
 class VtkErrors {
   public:
     VtkErrors();
@@ -30,6 +31,8 @@ class VtkErrors {
 
   private:
     class Collector;
+    inline static std::recursive_mutex one_at_a_time_;
+    std::unique_lock<std::recursive_mutex> alone_{one_at_a_time_};
     vtkSmartPointer<Collector> collector_;
     vtkSmartPointer<vtkOutputWindow> previous_;
     int previous_verbosity_;

@@ -2,6 +2,7 @@
 #include "core/cell_values.h"
 
 #include <algorithm>
+#include <mutex>
 
 namespace frana {
 namespace {
@@ -49,6 +50,12 @@ struct CellValues::Tiles {
         std::fill_n(made.get(), k_tile_cells, fill);
         return made.get();
     }
+    // Sources read from files, which copies of the values share: one at a time, and one may ask another.
+    void ask(const CellWindow& window, double* to) const {
+        static std::recursive_mutex one_at_a_time;
+        const std::lock_guard lock(one_at_a_time);
+        source(window, to);
+    }
     // Reads the tiles round one that does not exist yet.
     void fetch(std::int64_t i, std::int64_t j) {
         const std::int64_t i0 = i / k_tiles_at_once * k_tiles_at_once, j0 = j / k_tiles_at_once * k_tiles_at_once;
@@ -56,7 +63,7 @@ struct CellValues::Tiles {
         const CellWindow window{j0 * k_side, i0 * k_side, std::min(j1 * k_side, rows) - j0 * k_side,
                                 std::min(i1 * k_side, columns) - i0 * k_side};
         std::vector<double> read(static_cast<std::size_t>(window.rows * window.columns));
-        source(window, read.data());
+        ask(window, read.data());
         for (std::int64_t b = j0; b < j1; ++b) {
             for (std::int64_t a = i0; a < i1; ++a) {
                 if (values[static_cast<std::size_t>(b * across + a)]) continue;
@@ -204,7 +211,7 @@ void CellValues::part() {
 const std::vector<double>& CellValues::dense() const {
     if (!tiles_) return side_by_side();
     std::vector<double> all(tiled_size(), tiles_->fill);
-    if (tiles_->source) tiles_->source({0, 0, tiles_->rows, tiles_->columns}, all.data());
+    if (tiles_->source) tiles_->ask({0, 0, tiles_->rows, tiles_->columns}, all.data());
     for_each_run([&](std::size_t first, const double* values, std::size_t count) {
         std::copy_n(values, count, all.begin() + static_cast<std::ptrdiff_t>(first));
     });

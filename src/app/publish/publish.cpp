@@ -256,7 +256,7 @@ SummaryFacts facts_of(const Finished& run) {
 void write_pictures(Publication& p) {
     p.facts.wall.output = p.watch.seconds() + p.frames.seconds();
     p.pictures = draw_pictures({p.prepared().spec, p.directory.path(""), p.comparison, p.facts.statistics, p.facts.date,
-                                limits_of_use(p.result().warnings), &p.result()},
+                                limits_of_use(p.result().warnings), &p.result(), p.run.threads},
                                p.log);
     p.facts.wall.render = p.watch.seconds() + p.frames.seconds() - p.facts.wall.output;
 }

@@ -2,10 +2,13 @@
 #include "app/publish/publish_pictures.h"
 
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
-#include <future>
+#include <functional>
 #include <new>
+#include <thread>
 #include <utility>
+#include <vector>
 
 #include "app/pictures/animation.h"
 #include "app/pictures/charts.h"
@@ -43,17 +46,15 @@ MapSource map_source(const ResultReader& written, const PictureRequest& request)
     return source;
 }
 
-/// Draws pictures one after the other.
+/// What one thread draws, one after the other, and what came of it: the log is not written before all have ended.
 class Drawings {
   public:
-    explicit Drawings(RunLog& log) : log_(log) {}
-
     /// @param draw returns false if it was stopped before the end
     template <class Draw>
     void attempt(const std::string& what, const Draw& draw) {
         guard(what, [&] {
             if (stop_signal() == 0 && draw())
-                log_.note("drew " + what);
+                notes_.push_back("drew " + what);
             else
                 left_out_.push_back(what);
         });
@@ -64,22 +65,49 @@ class Drawings {
         try {
             work();
         } catch (const std::exception& error) {
-            log_.warn(worded("{1} could not be drawn: {2}", {what, std::string(error.what())}));
+            warn(worded("{1} could not be drawn: {2}", {what, std::string(error.what())}));
             const auto* const known = dynamic_cast<const Error*>(&error);
             has_failed_ = has_failed_ || dynamic_cast<const std::bad_alloc*>(&error) != nullptr ||
                           (known != nullptr && known->kind() == ErrorKind::environment);
         }
     }
-    [[nodiscard]] PictureOutcome outcome() const {
+    void warn(const Sentence& warning) { warnings_.push_back(warning); }
+    /// Adds what another thread drew.
+    void add(const Drawings& other) {
+        const auto append = [](auto& to, const auto& more) {
+            for (const auto& one : more)
+                if (std::find(to.begin(), to.end(), one) == to.end()) to.push_back(one);  // for the report, too
+        };
+        append(notes_, other.notes_);
+        append(warnings_, other.warnings_);
+        append(left_out_, other.left_out_);
+        has_failed_ = has_failed_ || other.has_failed_;
+    }
+    [[nodiscard]] PictureOutcome outcome(RunLog& log) const {
+        for (const std::string& note : notes_) log.note(note);
+        for (const Sentence& warning : warnings_) log.warn(warning);
         if (!left_out_.empty())
-            log_.warn(worded("left out because of the signal: {1}; --resume draws them", {joined(left_out_, ", ")}));
+            log.warn(worded("left out because of the signal: {1}; --resume draws them", {joined(left_out_, ", ")}));
         return {has_failed_, !left_out_.empty()};
     }
 
   private:
-    RunLog& log_;
-    std::vector<std::string> left_out_;
+    std::vector<std::string> notes_, left_out_;
+    std::vector<Sentence> warnings_;
     bool has_failed_ = false;
+};
+
+/// What one thread draws from: nothing that another one uses changes.
+struct Drawn {
+    ResultReader written;
+    MapSource source;
+    Drawings& drawings;
+
+    Drawn(const PictureRequest& request, const MapSource& common, Drawings& all)
+        : written(request.folder), source(common), drawings(all) {
+        if (request.run != nullptr) written.take_values_of(*request.run);
+        source.longitude_latitude = longitude_latitude(written.grid().crs_wkt);
+    }
 };
 
 /// Returns "max_depth", "max_depth_3d" and so on, as requested by the scene.
@@ -94,45 +122,100 @@ std::vector<std::string> map_choice(const std::vector<std::string>& requested, c
     return names;
 }
 
-void draw_maps(const std::vector<std::string>& requested, const ResultReader& written, LayerDrawer& drawer,
-               Drawings& drawings) {
-    if (requested.front() == "off") return;
-    for (const std::string& name : map_choice(requested, written)) {
+void draw_maps(const std::vector<std::string>& requested, LayerDrawer& drawer, const Drawn& from) {
+    for (const std::string& name : map_choice(requested, from.written)) {
         const std::string layer = raster_of_map(name);
         const bool view_3d = layer != name;
         const ResultRaster* const row = find_result_raster(layer);
         const bool may_lack = std::find(requested.begin(), requested.end(), name) == requested.end() ||
                               (row != nullptr && row->if_it_happens);
-        if (may_lack && !written.has(layer + ".tif")) continue;
-        const std::string stem = written.path("maps/" + name);
-        drawings.attempt("maps/" + name, [&] {
-            make_drawing_folder(written.path("maps"));
-            drawer.draw(written.map_layer(layer), view_3d, stem);
+        if (may_lack && !from.written.has(layer + ".tif")) continue;
+        const std::string stem = from.written.path("maps/" + name);
+        from.drawings.attempt("maps/" + name, [&] {
+            drawer.draw(from.written.map_layer(layer), view_3d, stem);
             return true;
         });
     }
 }
 
-void draw_all_charts(const ResultReader& written, const MapSource& source, Drawings& drawings) {
-    const std::string folder = written.path("charts");
-    drawings.attempt("charts", [&] {
+/// Draws the maps and the comparison: for themselves, for the report, or both.
+void draw_maps(const PictureRequest& request, bool themselves, bool for_report, Drawn&& from) {
+    if (!themselves) from.source.style.formats.clear();
+    LayerDrawer drawer(from.source);
+    drawer.draw_at_next_scale([&](const Sentence& warning) { from.drawings.warn(warning); });
+    if (for_report) drawer.draw_for_page_too(from.written.path(k_page_folder));
+    draw_maps(request.spec.output.maps, drawer, from);
+    if (!request.comparison || !request.comparison->statistics) return;
+    from.drawings.attempt("comparison", [&] {
+        draw_comparison(*request.comparison, drawer, from.written.directory());
+        return true;
+    });
+}
+
+void draw_all_charts(const Drawn& from) {
+    const std::string folder = from.written.path("charts");
+    from.drawings.attempt("charts", [&] {
         make_drawing_folder(folder);
         Problems problems;
-        draw_charts(written, source, folder, problems);
+        draw_charts(from.written, from.source, folder, problems);
         problems.throw_if_any();
         return true;
     });
 }
 
-/// Draws the film on a thread of its own, beside the maps: it shares nothing with them. Whether it came to its end; an
-/// invalid one: there is none to draw.
-std::future<bool> begin_animation(const ResultReader& written, const MapSource& source) {
-    if (!written.has(k_frame_list) || written.frames().empty()) return {};
-    AnimationRequest animation{animation_source(written, source, "depth", animation_size(source.style.size))};
-    animation.stop_requested = [] { return stop_signal() != 0; };
-    return std::async(std::launch::async, [animation = std::move(animation), path = written.path(k_animation_file)] {
-        return write_animation(animation, path);
+void draw_film(const Drawn& from) {
+    if (!from.written.has(k_frame_list) || from.written.frames().empty()) return;
+    from.drawings.attempt(k_animation_file, [&] {
+        AnimationRequest animation{
+            animation_source(from.written, from.source, "depth", animation_size(from.source.style.size))};
+        animation.stop_requested = [] { return stop_signal() != 0; };
+        return write_animation(animation, from.written.path(k_animation_file));
     });
+}
+
+using Job = std::function<void(Drawn&& from)>;
+
+/// What is drawn, the longest first.
+std::vector<Job> jobs_of(const PictureRequest& request) {
+    const OutputSpec& output = request.spec.output;
+    const bool maps = output.maps.front() != "off";
+    std::vector<Job> jobs;
+    if (output.animation) jobs.emplace_back([](Drawn&& from) { draw_film(from); });
+    // OpenGL's views are for one thread.
+    const bool has_views = std::any_of(output.maps.begin(), output.maps.end(),
+                                       [](const std::string& name) { return raster_of_map(name) != name; });
+    const bool report_beside = maps && output.report && !has_views;
+    if (maps)
+        jobs.emplace_back([&request, report = output.report && has_views](Drawn&& from) {
+            draw_maps(request, true, report, std::move(from));
+        });
+    if (report_beside)
+        jobs.emplace_back([&request](Drawn&& from) { draw_maps(request, false, true, std::move(from)); });
+    if (maps && output.charts) jobs.emplace_back([](Drawn&& from) { draw_all_charts(from); });
+    if (output.report)
+        jobs.emplace_back([](Drawn&& from) {
+            from.drawings.guard(k_map_page_file, [&] { write_map_page(from.written, from.source); });
+        });
+    return jobs;
+}
+
+/// Does the jobs on some threads, this one among them. Returns what came of them, in their order.
+Drawings drawn_beside(const std::vector<Job>& jobs, std::size_t threads, const PictureRequest& request,
+                      const MapSource& source) {
+    std::vector<Drawings> all(jobs.size());
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < jobs.size(); i = next++)
+            all[i].guard("the pictures", [&] { jobs[i](Drawn(request, source, all[i])); });
+    };
+    {
+        std::vector<std::jthread> others;
+        for (std::size_t i = 1; i < std::min(threads, jobs.size()); ++i) others.emplace_back(work);
+        work();
+    }
+    Drawings drawn;
+    for (const Drawings& one : all) drawn.add(one);
+    return drawn;
 }
 
 /// Whether a run needs the library that draws pictures.
@@ -158,36 +241,23 @@ std::int64_t drawing_library_bytes(const SceneSpec& scene) {
 }
 
 PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log) {
-    const OutputSpec& output = request.spec.output;
-    Drawings drawings(log);
-    const bool maps = output.maps.front() != "off";
-    if (!maps && !output.animation && !output.report) return drawings.outcome();
+    const std::vector<Job> jobs = jobs_of(request);
+    Drawings drawings;
+    if (jobs.empty()) return drawings.outcome(log);
     drawings.guard("the pictures", [&] {
         ResultReader written(request.folder);
         if (request.run != nullptr) written.take_values_of(*request.run);
+        if (request.spec.output.maps.front() != "off") {
+            make_drawing_folder(written.path("maps"));
+            if (request.spec.output.report) make_drawing_folder(written.path(k_page_folder));
+        }
         const MapSource source = map_source(written, request);
-        std::future<bool> film;
-        if (output.animation) drawings.guard(k_animation_file, [&] { film = begin_animation(written, source); });
-        if (output.report) drawings.guard(k_map_page_file, [&] { write_map_page(written, source); });
-        LayerDrawer drawer(source);
-        drawer.draw_at_next_scale([&](const Sentence& warning) { log.warn(warning); });
-        if (output.report && maps) {
-            const std::string folder = written.path(k_page_folder);
-            make_drawing_folder(folder);
-            drawer.draw_for_page_too(folder);
-        }
-        draw_maps(output.maps, written, drawer, drawings);
-        if (maps && request.comparison && request.comparison->statistics) {
-            drawings.attempt("comparison", [&] {
-                draw_comparison(*request.comparison, drawer, written.directory());
-                return true;
-            });
-        }
-        if (maps && output.charts) draw_all_charts(written, source, drawings);
-        if (film.valid()) drawings.attempt(k_animation_file, [&] { return film.get(); });
-        if (const auto warning = letter_warning()) log.warn(*warning);
+        // Each has its own tiles of a large map.
+        const int threads = source.terrain.values.is_tiled() ? std::min(request.threads, 2) : request.threads;
+        drawings.add(drawn_beside(jobs, static_cast<std::size_t>(threads), request, source));
+        if (const auto warning = letter_warning()) drawings.warn(*warning);
     });
-    return drawings.outcome();
+    return drawings.outcome(log);
 }
 
 }  // namespace frana::app

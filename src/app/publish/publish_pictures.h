@@ -22,6 +22,7 @@ struct PictureRequest {
     std::string date{};                        ///< the same
     Warnings warnings{};                       ///< the same
     const RunResult* run = nullptr;            ///< whose rasters are drawn; null: those of the files
+    int threads = 1;
 };
 
 /// What drawing left for --resume.
@@ -38,8 +39,8 @@ void load_drawing(bool pictures, bool films, Loading loading);
 /// The memory that this takes once they are loaded, as measured on Debian 12 [bytes].
 std::int64_t drawing_library_bytes(const SceneSpec& scene);
 
-/// Draws them; any exception is a warning, since the numbers are more important than a picture. Pictures not begun when
-/// a stop signal arrives are left out, so that the program ends soon.
+/// Draws them beside each other; any exception is a warning, since the numbers are more important than a picture.
+/// Pictures not begun when a stop signal arrives are left out, so that the program ends soon.
 PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log);
 
 }  // namespace frana::app
