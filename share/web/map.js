@@ -49,6 +49,7 @@ const k_snap = 0.25;
 const map = L.map('map', { crs: L.CRS.Simple, attributionControl: false, zoomSnap: k_snap, zoomDelta: 0.5, minZoom: -12,
   maxZoom: Math.max(2, Math.log2(60 / grid.cell)), doubleClickZoom: false });
 const extent = [[0, 0], [grid.rows * grid.cell, grid.columns * grid.cell]];
+map.zoomControl.setPosition('bottomright');  // beside popups, also on a phone
 map.zoomControl.getContainer().querySelectorAll('a').forEach((link, i) => link.setAttribute('title', i ? words.out : words.in));
 L.control.scale({ imperial: false }).addTo(map);
 map.fitBounds(extent);
@@ -126,8 +127,15 @@ async function showLayer() {
 
 const choice = byId('layer');
 choice.append(...data.layers.map(one => element('option', {}, one.title)));
+if (data.frames) choice.append(element('option', {}, `${words.time}: ${data.frames.title}`));
 choice.selectedIndex = data.layers.indexOf(layer);
-choice.addEventListener('change', () => { layer = data.layers[choice.selectedIndex]; frame = -1; showLayer(); });
+choice.addEventListener('change', () => {
+  const isTime = choice.selectedIndex === data.layers.length;
+  if (!isTime) layer = data.layers[choice.selectedIndex];
+  frame = isTime ? Number(byId('frame').value) : -1;
+  showLayer();
+  if (asked) ask(asked);
+});
 
 // ---- Outlines and features
 
@@ -143,12 +151,17 @@ function drawn(shape, feature) {
 }
 for (const shape of data.shapes) shape.group = L.featureGroup(shape.features.map(feature => drawn(shape, feature)));
 for (const shape of data.shapes) {
-  const input = element('input', { type: 'checkbox', checked: shape.visible }), swatch = element('span', { className: 'swatch' });
-  swatch.style.cssText = `height: 0; border: 0; border-top: 3px ${shape.dashed ? 'dashed' : 'solid'} ${shape.colour}; vertical-align: .25em`;
+  const swatchOf = colour => {
+    const swatch = element('span', { className: 'swatch' });
+    swatch.style.cssText = `height: 0; border: 0; border-top: 3px ${shape.dashed ? 'dashed' : 'solid'} ${colour}; vertical-align: .25em`;
+    return swatch;
+  };
+  const input = element('input', { type: 'checkbox', checked: shape.visible }), looks = shape.looks || [];
   const show = () => input.checked ? shape.group.addTo(map) : shape.group.remove();
   input.addEventListener('change', show);
   show();
-  byId('outlines').append(element('label', {}, input, ' ', swatch, shape.title));
+  byId('outlines').append(element('label', {}, input, ' ', ...(looks.length ? [] : [swatchOf(shape.colour)]), shape.title),
+    ...looks.map(look => element('div', { className: 'look' }, swatchOf(look.colour), look.label)));
 }
 byId('outlines').hidden = data.shapes.length === 0;
 
@@ -215,7 +228,9 @@ function table(title, rows) {
     element('tr', {}, element('th', { scope: 'row' }, name), element('td', {}, text)))));
 }
 
-/** Shows all that is known of a place, in a popup and in the panel. */
+let asked = null;  // the place whose values are shown
+map.on('popupclose', () => { asked = null; });
+/** Shows all that is known of a place in the panel, and in a popup what the map shows there. */
 async function ask(place) {
   const cell = cellAt(place);
   if (cell < 0) return;
@@ -229,14 +244,18 @@ async function ask(place) {
     if (text) (one === layer && frame < 0 ? rows : others).push([one.title, text]);
   }
   if (data.ground) rows.push([data.ground.title, `${steppedText((await cellsOf(data.ground))[cell], data.ground.step)} m`]);
-  const reach = 8 * 2 ** -map.getZoom(), tables = [table('', rows.concat(placeRows(place)))];
+  const reach = 8 * 2 ** -map.getZoom(), here = [table('', rows)], tables = [table(words.here, rows.concat(placeRows(place)))];
   for (const shape of data.shapes)
     for (const feature of shape.features)
-      if (feature.rows.length > 0 && map.hasLayer(shape.group) && isAt(feature, place, reach)) tables.push(table(shape.title, feature.rows));
+      if (feature.rows.length > 0 && map.hasLayer(shape.group) && isAt(feature, place, reach)) {
+        const object = table(shape.title, feature.rows);
+        tables.push(object);
+        here.push(object.cloneNode(true));
+      }
   if (others.length > 0) tables.push(table(words.maps, others));
   byId('values').replaceChildren(...tables);
-  const box = element('div', {}, ...tables.map(one => one.cloneNode(true)));
-  L.popup({ maxHeight: 260, maxWidth: 320 }).setLatLng([place[1], place[0]]).setContent(box).openOn(map);
+  L.popup({ maxHeight: 200, maxWidth: 300 }).setLatLng([place[1], place[0]]).setContent(element('div', {}, ...here)).openOn(map);
+  asked = place;
 }
 
 // ---- Line
@@ -246,6 +265,7 @@ const sketch = L.polyline([], { color: '#c0006e', weight: 3 }).addTo(map);
 function setDrawing(on) {
   byId('line').setAttribute('aria-pressed', String(on));
   line = on ? [] : null;
+  byId('line-help').hidden = !on;
   if (on) { sketch.setLatLngs([]); byId('chart').replaceChildren(); byId('save').hidden = true; }
 }
 const along = data.layers.filter(one => data.along.includes(one.name));
@@ -291,7 +311,8 @@ function chart(title, samples, valueOf, fromZero) {
 async function endLine() {
   const points = line;
   setDrawing(false);
-  if (!points || points.length < 2) return;
+  const [first] = points || [];
+  if (!first || points.every(([x, y]) => Math.hypot(x - first[0], y - first[1]) < grid.cell)) return;  // a double click
   sketch.setLatLngs(projected(points));
   const samples = await profileOf(points), number = value => Number.isNaN(value) ? '' : String(Number(value.toPrecision(9)));
   byId('chart').replaceChildren(...along.map((one, i) => chart(`${one.title}${one.unit ? ` [${one.unit}]` : ''}`, samples, sample => sample.values[i], true)),
@@ -324,12 +345,13 @@ if (data.frames) {
   const slider = byId('frame');
   let timer = 0;
   slider.max = data.frames.list.length - 1;
-  const show = () => { frame = Number(slider.value); choice.selectedIndex = -1; showLayer(); };
+  const show = () => { frame = Number(slider.value); choice.selectedIndex = data.layers.length; showLayer(); };
   slider.addEventListener('input', show);
   byId('play').addEventListener('click', () => {
     clearInterval(timer);
     timer = timer ? 0 : setInterval(() => { slider.value = (Number(slider.value) + 1) % data.frames.list.length; show(); }, 250);
     byId('play').setAttribute('aria-pressed', String(timer !== 0));
+    byId('play').textContent = timer ? words.pause : words.play;
   });
 } else byId('time').hidden = true;
 

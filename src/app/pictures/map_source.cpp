@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iterator>
 #include <memory>
+#include <numbers>
 
 #include "app/pictures/result_numbers.h"
 #include "app/store/result_files.h"
@@ -264,6 +265,24 @@ std::vector<std::string> map_notes(const MapFacts& facts, const Words& words) {
     return notes;
 }
 
+namespace {
+
+/// Along the flow where that shows it a quarter larger, else north up.
+MapTurn turn_for(render::MapSpec spec, const std::optional<bool>& upright) {
+    const auto shorter_side = [&](const MapTurn& turn) {  // of the ground on the page [m]
+        spec.turn = turn;
+        const Bounds shown = render::required_window(spec);
+        const double standing = std::max(shown.width(), shown.height() / std::numbers::sqrt2),
+                     lying = std::max(shown.width() / std::numbers::sqrt2, shown.height());
+        return !upright ? std::min(standing, lying) : *upright ? standing : lying;
+    };
+    constexpr double k_worth_it = 1.25;
+    const MapTurn along = render::turn_along_content(spec, upright);
+    return shorter_side({}) > k_worth_it * shorter_side(along) ? along : MapTurn{};
+}
+
+}  // namespace
+
 render::MapSpec map_spec(const MapSource& source, const MapLayer& layer) {
     render::MapSpec spec = furnished<render::MapSpec>(source, layer);
     if (layer.is_ground) {
@@ -277,7 +296,7 @@ render::MapSpec map_spec(const MapSource& source, const MapLayer& layer) {
     spec.longitude_latitude = source.longitude_latitude;
     const Size& wanted = source.style.size;
     const auto upright = wanted.turns ? std::nullopt : std::optional(wanted.height > wanted.width);
-    spec.turn = source.style.turn_deg ? MapTurn(*source.style.turn_deg) : render::turn_along_content(spec, upright);
+    spec.turn = source.style.turn_deg ? MapTurn(*source.style.turn_deg) : turn_for(spec, upright);
     const Bounds shown = render::required_window(spec);
     const Size size = size_for_ground(source.style.size, shown.width(), shown.height());
     spec.width = size.width;

@@ -43,10 +43,10 @@ struct MapStyle {
     std::string context;                      ///< file of the surroundings; empty: none
     std::string attribution;                  ///< of data and author, at the foot
     std::optional<double> scale;              ///< of maps on paper, n of 1 : n
-    std::optional<double> turn_deg{0};  ///< of maps on their page; none: the flow's longer axis along the page's side
-    std::string author, logo, date;     ///< title block of maps; empty: none
-    double exaggeration = 1;            ///< of heights in views
-    bool sky = true;                    ///< in views; else white
+    std::optional<double> turn_deg{};      ///< of maps on their page; none: along the flow where that shows it larger
+    std::string author, logo, date;        ///< title block of maps; empty: none
+    double exaggeration = 1;               ///< of heights in views
+    bool sky = true;                       ///< in views; else white
     std::optional<render::Camera> camera;  ///< of views; none: derived from the flow's path
     Words words{};                         ///< the language of all texts
 };

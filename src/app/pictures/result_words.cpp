@@ -111,6 +111,7 @@ MapStyle ResultReader::style() const {
     style.context = scene_value("output.map-context").value_or("");
     style.attribution = scene_value("output.map-attribution").value_or("");
     if (const auto scale = scene_value("output.map-scale")) style.scale = number_from_text(*scale);
+    if (const auto turn = scene_value("output.map-turn")) style.turn_deg = number_from_text(*turn);
     style.author = scene_value("output.map-author").value_or("");
     style.logo = scene_value("output.map-logo").value_or("");
     style.date = date_on_maps(scene_value("output.map-date"), run_date());

@@ -74,6 +74,10 @@ Json points_json(const std::vector<Point>& points, const GridSpec& grid) {
     return json;
 }
 
+std::string css(Rgb colour) {
+    return "rgb(" + std::to_string(colour.r) + "," + std::to_string(colour.g) + "," + std::to_string(colour.b) + ")";
+}
+
 Json classes_json(const std::vector<gis::ColourStop>& stops) {
     Json json = Json::array();
     for (const gis::ColourStop& stop : stops)
@@ -106,6 +110,10 @@ class MapPage {
                   {"words",
                    {{"maps", words_("Maps")},
                     {"degrees", words_("Latitude, longitude")},
+                    {"time", words_("Time")},
+                    {"here", words_("At this place")},
+                    {"play", words_("Play")},
+                    {"pause", words_("Pause")},
                     {"in", words_("Zoom in")},
                     {"out", words_("Zoom out")}}},
                   {"degrees", degrees()}};
@@ -213,7 +221,8 @@ class MapPage {
                     {{"to", one.value}, {"colour", {one.colour.r, one.colour.g, one.colour.b}}, {"label", one.label}});
             return json;
         }
-        json["classes"] = classes_json(gis::class_stops(palette(layer.palette), bounds_of(layer), layer.unit, words_));
+        json["classes"] =
+            classes_json(gis::class_stops(palette(layer.palette), bounds_of(layer), json["unit"], words_));
         return json;
     }
     static std::vector<double> bounds_of(const MapLayer& layer) {
@@ -290,12 +299,23 @@ class MapPage {
         json["list"] = std::move(list);
         return json;
     }
+    /// "Maximum depth [m]" of max_depth, "Maximum depth [m], T100" of T100_max_depth; others are their own title.
+    static std::string column_title(const std::string& column, const gis::AttributeTitles& titles) {
+        std::string found = column;
+        std::size_t longest = 0;
+        for (const auto& [name, title] : titles) {
+            const bool is_whole = column == name, is_of_scenario = (name.starts_with("max_") || name == "intensity") &&
+                                                                   column.ends_with('_' + name);
+            if (name.size() <= longest || !(is_whole || is_of_scenario)) continue;
+            longest = name.size();
+            found = is_whole ? title : title + ", " + column.substr(0, column.size() - name.size() - 1);
+        }
+        return found;
+    }
     [[nodiscard]] Json feature_json(const gis::Feature& feature, const gis::AttributeTitles& titles) const {
         Json json, rows = Json::array();
         const auto add = [&](const std::string& column, const std::string& text) {
-            const auto title =
-                std::find_if(titles.begin(), titles.end(), [&](const auto& one) { return one.first == column; });
-            rows.push_back({shown_text(title == titles.end() ? column : title->second), shown_text(text)});
+            rows.push_back({shown_text(column_title(column, titles)), shown_text(text)});
         };
         for (const auto& [column, text] : feature.texts)
             if (!text.empty()) add(column, text);
@@ -303,9 +323,7 @@ class MapPage {
             if (std::isfinite(number)) add(column, words_.number(number_text(number, 4)));
         if (const auto reached = feature.numbers.find(k_reached); reached != feature.numbers.end())
             for (const ExposureLook& one : exposure_looks())
-                if (one.reached == reached->second)
-                    json["colour"] = "rgb(" + std::to_string(one.colour.r) + "," + std::to_string(one.colour.g) + "," +
-                                     std::to_string(one.colour.b) + ")";
+                if (one.reached == reached->second) json["colour"] = css(one.colour);
         json["rows"] = std::move(rows);
         if (!feature.shape.points.empty()) json["points"] = points_json(feature.shape.points, grid_);
         if (!feature.shape.lines.empty())
@@ -331,14 +349,15 @@ class MapPage {
                 continue;
             }
             const bool is_main = row.file != k_outlines_file || row.name == "release" || row.name == "scar";
-            const Rgb colour = row.look.colour;
             all.push_back({{"title", layer_title(row, words_)},
-                           {"colour", "rgb(" + std::to_string(colour.r) + "," + std::to_string(colour.g) + "," +
-                                          std::to_string(colour.b) + ")"},
+                           {"colour", css(row.look.colour)},
                            {"width", 1 + 2 * row.look.width_mm},
                            {"dashed", row.look.dashed},
                            {"visible", is_main},
                            {"features", std::move(features)}});
+            if (row.file != k_exposure_file) continue;
+            for (const ExposureLook& one : exposure_looks())
+                all.back()["looks"].push_back({{"colour", css(one.colour)}, {"label", words_(one.label)}});
         }
         return all;
     }
@@ -385,8 +404,9 @@ class MapPage {
                "<fieldset id=\"outlines\"><legend>" +
                text(worded("Outlines")) +
                "</legend></fieldset>\n<button id=\"line\" type=\"button\" aria-pressed=\"false\">" +
-               text(worded("Values along a line")) + "</button><button id=\"save\" type=\"button\" hidden>" +
-               text(worded("Save as CSV")) +
+               text(worded("Values along a line")) + "</button><p id=\"line-help\" class=\"small\" hidden>" +
+               text(worded("Click its points; double-click ends it.")) +
+               "</p><button id=\"save\" type=\"button\" hidden>" + text(worded("Save as CSV")) +
                "</button>\n<div id=\"chart\"></div>\n<div id=\"values\" aria-live=\"polite\"></div>\n"
                "<p class=\"small\">" +
                escaped_markup(notes + map_sources(source_)) +

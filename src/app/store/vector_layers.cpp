@@ -127,6 +127,9 @@ constexpr Attribute k_attributes[] = {
     {"reached", worded("Reached (1: yes)")},
     {"expected_damage", worded("Expected damage")},
     {"annual_damage", worded("Expected damage a year")},
+    {"intensity", worded("Intensity")},
+    {"degree_scenario", worded("Scenario")},
+    {"degree_source", worded("Source")},
 };
 
 /// Gives a layer of a file the style of its row.

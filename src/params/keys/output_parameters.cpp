@@ -63,6 +63,9 @@ void add_pictures(std::vector<Parameter>& list) {
     list.push_back(number("output.map-scale", FRANA_MEMBER(output.map_scale), "", k_map_scales,
                           "Scale of maps on paper sizes (A4, A3): 5000 for 1 : 5000.",
                           "the least round one at which the flow fits the page"));
+    list.push_back(number("output.map-turn", FRANA_MEMBER(output.map_turn), "degrees", {-180, 180},
+                          "Grid north on maps, clockwise from straight up: 0 is north up.",
+                          "along the flow where that shows it a quarter larger, else 0"));
     list.push_back(text("output.map-author", FRANA_MEMBER(output.map_author), "text",
                         "Author and organisation, in the title block of maps.", "none"));
     list.push_back(holds("raster", text("output.map-logo", FRANA_MEMBER(output.map_logo), "file",

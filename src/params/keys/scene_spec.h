@@ -125,6 +125,7 @@ struct OutputSpec {
     std::optional<std::string> map_background, map_context;
     std::optional<std::string> map_attribution;
     std::optional<double> map_scale;  ///< n of 1 : n
+    std::optional<double> map_turn;   ///< [degrees]
     std::optional<std::string> map_author, map_logo, map_date;
     bool charts = true;
     std::optional<std::string> title;
