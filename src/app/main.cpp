@@ -33,13 +33,14 @@ int dispatch(Arguments words) {
     if (name == "complete" || name == "completion" || name == "man")
         throw Error(ErrorKind::input, Problem{"is no longer a command", "command line", name, "",
                                               "Completion of the shell and manual pages are installed with frana; "
-                                              "`frana COMMAND --help` tells the same"});
+                                              "`frana COMMAND --help` prints the same"});
     std::vector<std::string> names;
     for (const Command& command : commands()) {
         if (name == command.name) {
             if (const study::StartedRank own = study::started_rank(); !command.uses_ranks && own.size > 1) {
                 std::cerr << "frana: warning: " << name << " does not share its work between processes: rank "
-                          << own.rank << " of " << own.size << (own.rank > 0 ? " does nothing\n" : " goes on alone\n");
+                          << own.rank << " of " << own.size
+                          << (own.rank > 0 ? " does nothing\n" : " continues alone\n");
                 if (own.rank > 0) return static_cast<int>(ExitCode::done);
             }
             return command.run({words.begin() + 1, words.end()});

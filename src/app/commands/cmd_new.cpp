@@ -240,13 +240,13 @@ std::string study_text(const std::string& scene, const SceneDraft&) {
            "scene = " +
            scene +
            "\n# Finite volumes are quick, and without flight. Two members are computed again by the default scheme:\n"
-           "# where the report tells of great differences, write default.\n"
+           "# where the differences in the report are large, write default.\n"
            "scheme = finite-volume\nsamples = 200\n\n[vary]\n"
            "# To be given: only you know what is uncertain, and how much (share/doc/ensembles.md).\n"
            "# release.volume = triangular(LEAST, LIKELIEST, GREATEST)\n"
            "# material.friction-angle = triangular(LEAST, LIKELIEST, GREATEST)\n"
            "# material.turbulence = log-uniform(LEAST, GREATEST)\n\n"
-           "# How often the slope fails, with which volumes [m3] exceeded once in so many years; release.volume goes "
+           "# How often the slope fails, with which volumes [m3] exceeded once in so many years; release.volume leaves "
            "from\n"
            "# [vary] then. Without it every probability is that of a slope that has failed.\n"
            "# [frequency]\n# volumes = 8000: 30, 15000: 100, 35000: 300\n";

@@ -98,7 +98,7 @@ int run_bench(Arguments words) {
     if (which == "robustness" || which == "estimate" || which == "ensemble")
         throw Error(ErrorKind::input,
                     Problem{"is no longer a bench", "command line", which, "accuracy, stability, speed",
-                            "`frana converge` tells what cells change, `frana ensemble` what other values do"});
+                            "`frana converge` shows what cells change, `frana ensemble` what other values do"});
     if (operands.size() > 1) {
         throw Error(ErrorKind::input,
                     Problem{"is not expected here", "command line", operands.back(), "", "See frana bench --help"});

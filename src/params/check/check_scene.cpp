@@ -292,7 +292,7 @@ void check_level(const ReleaseSpec& release, const std::string& file, Problems& 
     };
     const char* const twice = "contradicts release.level: it decides how much is released";
     refuse(release.thickness.has_value(), "release.thickness", twice, "Keep one of the two");
-    refuse(release.volume.has_value(), "release.volume", twice, "Remove it: frana check tells the volume");
+    refuse(release.volume.has_value(), "release.volume", twice, "Remove it: frana check prints the volume");
     refuse(release.dtm_contains_release, "release.dtm-contains-release",
            "contradicts release.level, which lies on the DTM", "Set it to off, with the DTM of the lake's bed");
     refuse(release.thickness_direction == "normal", "release.thickness-direction",

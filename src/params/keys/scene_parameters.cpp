@@ -254,10 +254,8 @@ Parameter accuracy_parameter() {
     result.range = k_range;
     result.fits = [k_range](double value) { return k_range.has(value); };
     result.meaning =
-        "Error allowed by estimate for area, run-out, greatest depth and speed, gauges and cross-sections, as a "
-        "fraction of "
-        "each: coarser cells are computed first and refined only as far as the estimate asks, at most to the scene's "
-        "own.";
+        "Error allowed by estimate, as a fraction of each value: coarser cells are computed first and refined only as "
+        "far as needed, at most to the scene's own.";
     result.absent = "the scene's own cells at once, without an estimate";
     return result;
 }
@@ -287,8 +285,7 @@ void add_numerics(std::vector<Parameter>& list) {
                "in hollows and less over edges; off: the speed in map view is kept. Needs a slope correction.",
                "on with a slope correction"));
     list.push_back(on_off("numerics.flight", FRANA_MEMBER(numerics.flight),
-                          "Where the bed falls away faster than a free fall, material flies without friction or "
-                          "pressure and loses the velocity normal to the bed on landing; off: it stays on the bed. "
+                          "Material flies where the bed falls away faster than a free fall; off: it stays on the bed. "
                           "Needs curvature, scheme default and transfer apic.",
                           "on with curvature, scheme default and transfer apic"));
     list.push_back(number("numerics.flight-clearance", FRANA_MEMBER(numerics.flight_clearance), "m", Range{0, 100},
@@ -309,9 +306,8 @@ Parameter formats_key() {
     return declare::without(
         word_list("output.formats", FRANA_MEMBER(output.formats), {},
                   {"geotiff", "particles-gpkg", "shp", "kmz", "dxf"},
-                  "Formats: GeoTIFF is always written; particles-gpkg adds the particles of each frame as GeoPackage "
-                  "points; shp, kmz, dxf add the generalised zones of hazard.scheme, of which there is always a "
-                  "GeoPackage."),
+                  "Besides GeoTIFF and GeoPackage: particles-gpkg, the particles of each frame; shp, kmz, dxf, the "
+                  "generalised zones of hazard.scheme."),
         {{"netcdf", "Leave it out: gdal_translate -of netCDF makes it of frames/*.tif"},
          {"zarr", "Leave it out: gdal_translate -of Zarr makes it of frames/*.tif"},
          {"ascii", "Leave it out: gdal_translate -of AAIGrid makes it of a GeoTIFF"},
@@ -328,11 +324,8 @@ void add_rest(std::vector<Parameter>& list) {
                           "off. 0.05 is customary for avalanches."));
     list.push_back(declare::decides_map(
         number("time.stop-change", FRANA_MEMBER(time.stop_change), "", Range{0, 0.5},
-               "End once, over the last quarter of the time since the last release, at least 10 s, run-out has "
-               "changed by no more than a third of this fraction or of a cell, the area over "
-               "output.trace-threshold by no more than this fraction, the deposit by no more than the error of "
-               "the cells, 2 to 8 times this fraction of the volume, and no more than 5 % of the volume still "
-               "moves; 0: off.")));
+               "End once run-out, area and deposit are final: in the last quarter of the time they changed by about "
+               "this fraction at most; 0: off.")));
     list.push_back(number("time.frame-interval", FRANA_MEMBER(time.frame_interval), "s", Range{0, 1e6, true},
                           "Simulated time between frames; each is the first state at or after its time.",
                           "by the motion: one after each mean distance that the flow covers"));

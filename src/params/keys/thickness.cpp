@@ -93,9 +93,9 @@ Parameter thickness_parameter() {
     for (const ThicknessKind& kind : k_kinds)
         if (kind.without_operands) result.choices.emplace_back(kind.word);
     result.meaning =
-        "Thickness of the release: one number, a column of the perimeter, a raster, a DTM before minus one after, the "
-        "DTM minus a raster of the slip surface's elevation, or minus one fitted to each polygon; structured model: "
-        "the sum of two rasters, depths of solids and of fluid.";
+        "Thickness of the release: a number, a column of the perimeter, a raster, a DTM before minus one after, the "
+        "DTM minus a slip surface (a raster, or fitted to each polygon); structured model: depths of solids and of "
+        "fluid.";
     result.absent = "required, unless there is an inflow";
     result.map_files = [](SceneSpec& scene, const FileMap& map) {
         auto& thickness = scene.release.thickness;

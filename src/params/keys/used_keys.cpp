@@ -2,6 +2,7 @@
 #include "params/keys/used_keys.h"
 
 #include <algorithm>
+#include <regex>
 #include <string_view>
 
 #include "core/words/words.h"
@@ -99,20 +100,11 @@ std::string own_meaning(const Parameter& key) {
     return key.meaning.ends_with(laws) ? key.meaning.substr(0, key.meaning.size() - laws.size()) : key.meaning;
 }
 
-/// What makes a scene read a key of a law.
+/// What makes a scene read a key of a law: "material.bed-friction = coulomb, manning; material.model = structured".
 std::string selectors_of(const std::string& key) {
-    return selected_by(readers_of(key)) + (solids_read(key) ? " or material.model = structured" : "");
-}
-
-/// "material.bed-friction = bingham or manning": keys and their values, with the conjunction between them.
-std::string choices_in(std::string keys, const Words& words) {
-    const std::string or_word = " or ";
-    for (std::size_t at = 0; (at = keys.find(or_word, at)) != std::string::npos;) {
-        const std::string shown = " " + words("or") + " ";
-        keys.replace(at, or_word.size(), shown);
-        at += shown.size();
-    }
-    return keys;
+    static const std::regex k_next_key(" or (?=[a-z.-]+ =)"), k_next_word(" or ");
+    return std::regex_replace(std::regex_replace(selected_by(readers_of(key)), k_next_key, "; "), k_next_word, ", ") +
+           (solids_read(key) ? "; material.model = structured" : "");
 }
 
 }  // namespace
@@ -124,7 +116,7 @@ std::string used_by(const std::string& key) {
 std::string meaning_in(const Parameter& key, const Words& words) {
     const std::string own = own_meaning(key);
     if (own == key.meaning) return words(own);
-    return words(own) + " " + words("Used by {1}.", {choices_in(selectors_of(key.name()), words)});
+    return words(own) + " " + words("Used by {1}.", {selectors_of(key.name())});
 }
 
 std::vector<std::string> rows_of(const Parameter& key) {

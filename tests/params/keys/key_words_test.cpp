@@ -27,7 +27,7 @@ TEST(KeyWords, LawsStandInTheLanguagesSentence) {
     const std::vector<Parameter>& keys = scene_parameters();
     const Words german(Language::german);
     EXPECT_EQ(meaning_in(*find_parameter(keys, "material.manning"), german),
-              "n nach Manning. Benutzt von material.bed-friction = obrien-julien oder manning.");
+              "n nach Manning. Benutzt von material.bed-friction = obrien-julien, manning.");
 }
 
 }  // namespace

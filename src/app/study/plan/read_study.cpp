@@ -398,7 +398,7 @@ void StudyReader::check_columns() {
     check_scenarios();
     if (const bool twice = region.scenario || region.return_period;
         !region.events.empty() && (twice || study_.frequency.is_given()))
-        add_problem({"contradicts [scenario " + region.events.front().name + "]: an event is told once",
+        add_problem({"contradicts [scenario " + region.events.front().name + "]: give each event once",
                      where(twice ? "region.scenario" : "frequency"), region.scenario.value_or(""), "",
                      "Keep one of the two, or make two regions"});
     if (study_.frequency.is_given()) {
@@ -513,7 +513,7 @@ void StudyReader::check_option(const Variation& vary, std::size_t option, double
     if (share * first_round >= k_least_tries_of_option) return;
     const double needed = std::ceil(k_least_tries_of_option / share / k_round_ends[0]);
     add_problem(
-        {"has an option that the first round of sampling = importance may not try, and then nobody learns "
+        {"has an option that the first round of sampling = importance may not try, so that it is not known "
          "whether it leads to the rare place",
          where("vary." + vary.key), vary.distribution.values[option] + ": " + number_text(share, 2),
          "at least " + number_text(k_least_tries_of_option / first_round, 2),

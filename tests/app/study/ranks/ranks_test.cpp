@@ -162,7 +162,7 @@ TEST_F(Ranks, ARunIsComputedByOneProcess) {
     const Outcome outcome = mpirun(3, {"run", "scene.ini", "--out", "out", "--set", "time.end=3"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_TRUE(fs::exists(path("out/summary.json")));
-    for (const char* text : {"rank 0 of 3 goes on alone", "rank 1 of 3 does nothing", "rank 2 of 3 does nothing"})
+    for (const char* text : {"rank 0 of 3 continues alone", "rank 1 of 3 does nothing", "rank 2 of 3 does nothing"})
         EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
 }
 
