@@ -92,62 +92,10 @@ bool visit_cells(const MultiPolygon& outline, const GridSpec& grid, Cover cover,
     return any_thin;
 }
 
-namespace {
-
-Error error_of(const std::string& what, const GdalSession& session) {
-    return {ErrorKind::input, Problem{what + ": " + session.last_message(), "", "", "", ""}};
-}
-
-GdalDataset on_grid(Raster& raster) {
-    const GridSpec& g = raster.grid;
-    GdalDataset dataset = wrap_values(raster.values.data(), static_cast<int>(g.columns), static_cast<int>(g.rows));
-    double geo[6] = {g.west, g.cell_size, 0, g.north, 0, -g.cell_size};
-    GDALSetGeoTransform(dataset.get(), geo);
-    return dataset;
-}
-
-/// A vector layer in memory for GDAL to write to; the dataset owns it.
-struct MemoryLayer {
-    GDALDatasetUniquePtr dataset;
-    OGRLayer* layer = nullptr;
-};
-
-MemoryLayer memory_layer(OGRwkbGeometryType type, const char* number) {
-    MemoryLayer made;
-    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("Memory");
-    made.dataset.reset(driver->Create("", 0, 0, 0, GDT_Unknown, nullptr));
-    made.layer = made.dataset->CreateLayer("shapes", nullptr, type, nullptr);
-    OGRFieldDefn field(number, OFTReal);
-    made.layer->CreateField(&field);
-    return made;
-}
-
-}  // namespace
-
 Raster coverage(const MultiPolygon& polygons, const GridSpec& grid) {
-    const GdalSession session;
     Raster mask(grid, 0.0);
-    if (polygons.empty() || grid.cell_count() == 0) return mask;
-    if (mask.values.is_tiled()) {
-        for (const Polygon& polygon : polygons)
-            visit_cells({polygon}, grid, Cover::centres,
-                        [&](std::int64_t row, std::int64_t column) { mask.at(row, column) = 1; });
-        return mask;
-    }
-    const GdalDataset dataset = on_grid(mask);
-    std::vector<std::unique_ptr<OGRPolygon>> owned;
-    std::vector<OGRGeometryH> handles;
-    for (const Polygon& polygon : polygons) {
-        owned.push_back(to_ogr(polygon));
-        handles.push_back(OGRGeometry::ToHandle(owned.back().get()));
-    }
-    int band = 1;
-    const std::vector<double> ones(handles.size(), 1.0);
-    if (GDALRasterizeGeometries(dataset.get(), 1, &band, static_cast<int>(handles.size()), handles.data(), nullptr,
-                                nullptr, ones.data(), nullptr, nullptr, nullptr) != CE_None) {
-        throw error_of("the outline cannot be rasterised", session);
-    }
-    GDALFlushCache(dataset.get());
+    visit_cells(polygons, grid, Cover::centres,
+                [&](std::int64_t row, std::int64_t column) { mask.at(row, column) = 1; });
     return mask;
 }
 
@@ -168,15 +116,23 @@ MultiPolygon polygonise(const Raster& mask) {
     mask.values.for_each_stored([&](std::size_t cell, double value) {
         if (!std::isnan(value) && value != 0) inside.values[cell] = 1;
     });
-    const GdalDataset dataset = on_grid(inside);
+    const GridSpec& grid = inside.grid;
+    const GdalDataset dataset =
+        wrap_values(inside.values.data(), static_cast<int>(grid.columns), static_cast<int>(grid.rows));
+    double geo[6] = {grid.west, grid.cell_size, 0, grid.north, 0, -grid.cell_size};
+    GDALSetGeoTransform(dataset.get(), geo);
     GDALRasterBandH band = GDALGetRasterBand(dataset.get(), 1);
-    const MemoryLayer shapes = memory_layer(wkbPolygon, "inside");
+    const GDALDatasetUniquePtr memory(
+        GetGDALDriverManager()->GetDriverByName("Memory")->Create("", 0, 0, 0, GDT_Unknown, nullptr));
+    OGRLayer* const shapes = memory->CreateLayer("shapes", nullptr, wkbPolygon, nullptr);
+    OGRFieldDefn field("inside", OFTReal);
+    shapes->CreateField(&field);
     // The band serves as its own mask: zeros are excluded.
-    if (GDALPolygonize(band, band, OGRLayer::ToHandle(shapes.layer), 0, nullptr, nullptr, nullptr) != CE_None) {
-        throw error_of("the area's outline cannot be traced", session);
-    }
+    if (GDALPolygonize(band, band, OGRLayer::ToHandle(shapes), 0, nullptr, nullptr, nullptr) != CE_None)
+        throw Error(ErrorKind::input,
+                    Problem{"the area's outline cannot be traced: " + session.last_message(), "", "", "", ""});
     MultiPolygon outlines;
-    for (const auto& feature : *shapes.layer) {
+    for (const auto& feature : *shapes) {
         const OGRGeometry* geometry = feature->GetGeometryRef();
         if (!geometry || wkbFlatten(geometry->getGeometryType()) != wkbPolygon) continue;
         if (auto polygon = from_ogr(*geometry->toPolygon())) outlines.push_back(std::move(*polygon));

@@ -294,11 +294,9 @@ void check_overlap(const SceneReading& reading, const ReleaseInput& release, con
 
 /// Where ground is read on demand the map may be far larger than the release.
 Raster cover_of(const MultiPolygon& outlines, const Raster& ground) {
-    if (!ground.values.is_tiled()) return gis::coverage(outlines, ground.grid);
-    Raster cover = reached_raster(ground.grid, 0);
-    for (const Polygon& outline : outlines)
-        gis::visit_cells({outline}, ground.grid, gis::Cover::centres,
-                         [&](std::int64_t row, std::int64_t column) { cover.at(row, column) = 1; });
+    Raster cover = ground.values.is_tiled() ? reached_raster(ground.grid, 0) : Raster(ground.grid, 0.0);
+    gis::visit_cells(outlines, ground.grid, gis::Cover::centres,
+                     [&](std::int64_t row, std::int64_t column) { cover.at(row, column) = 1; });
     return cover;
 }
 
