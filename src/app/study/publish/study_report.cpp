@@ -251,33 +251,10 @@ Document study_values(const StudyInput& input, const StudyResult& result, const 
     return figures_table(result, words);
 }
 
-/// Slopes that a report lists; members.csv has all.
-inline constexpr std::size_t k_most_slopes = 50;
+/// Slopes that a report lists; members.gpkg has all.
+constexpr std::size_t k_most_slopes = 50;
 
-/// A figure of members.csv that the table shows.
-struct ShownFigure {
-    const char *key, *title, *unit;
-    bool in_groups;  ///< "1 000", else three digits
-};
-
-constexpr ShownFigure k_figures[] = {{"volume_m3", worded("Volume"), "m³", true},
-                                     {"runout_m", worded("Run-out"), "m", true},
-                                     {"max_depth_m", worded("Maximum depth"), "m", false},
-                                     {"max_velocity_ms", worded("Maximum velocity"), "m/s", false}};
-
-std::string figure_text(const MemberRecord& member, const ShownFigure& shown, const Words& words) {
-    const double value = value_of(member.figures, shown.key);
-    if (std::isnan(value)) return "";
-    return words.number(shown.in_groups ? grouped(value) : number_text(value, 3));
-}
-
-std::string why_open(const MemberEnd& end, const Words& words) {
-    if (end.is_cut) return words("it still moved at the end");
-    if (end.left()) return words("it left the computed ground");
-    return end.is_held ? words("cells without elevation held it") : "";
-}
-
-/// The same of a region with a frequency: how often each slope fails, and how many of its runs finished.
+/// Of a region with a frequency: how often each slope fails, and how many of its runs finished.
 Document sources_section(const StudyInput& input, const StudyResult& result, const Words& words) {
     const AnnualRates& rates = *result.rates;
     const ReportNumbers number(words);
@@ -299,42 +276,6 @@ Document sources_section(const StudyInput& input, const StudyResult& result, con
     return Document().heading("slopes", words("Slopes")).add(table);
 }
 
-/// The section of a report with a region's slopes in their order: name, scenario, volume, run-out, greatest depth and
-/// speed, or why a slope failed; the first k_most_slopes of them. Empty for other studies.
-Document slopes_section(const StudyInput& input, const StudyResult& result, const Words& words) {
-    if (!input.reading.study.region) return {};
-    if (result.rates) return sources_section(input, result, words);
-    const bool has_scenarios = input.reading.study.region->has_scenarios(), has_failures = result.failed() > 0;
-    const bool has_open = std::any_of(result.members.begin(), result.members.end(), [](const MemberRecord& member) {
-        return member.failure.empty() && member.end.is_open();
-    });
-    std::vector<std::string> heads{"", words("Slope")};
-    if (has_scenarios) heads.push_back(words("Scenario"));
-    for (const ShownFigure& shown : k_figures) heads.push_back(with_unit(words(shown.title), shown.unit));
-    if (has_open) heads.push_back(words("Lower bounds, since"));
-    if (has_failures) heads.push_back(words("reason"));
-    Table table(heads);
-    for (std::size_t i = 0; i < std::min(k_most_slopes, result.members.size()); ++i) {
-        const MemberRecord& member = result.members[i];
-        const Slope& slope = input.slope_of(member.member);
-        std::vector<Cell> cells{std::to_string(member.member), valid_utf8(slope.name)};
-        if (has_scenarios) cells.push_back(valid_utf8(slope.scenario));
-        // The figures of a run that failed are those of another event.
-        for (const ShownFigure& shown : k_figures)
-            cells.push_back(member.failure.empty() ? figure_text(member, shown, words) : "");
-        if (has_open) cells.push_back(member.failure.empty() ? why_open(member.end, words) : "");
-        if (has_failures) cells.push_back(words(member.failure));
-        table.row(cells, member.failure.empty() && !member.end.is_open() ? "" : "warning");
-    }
-    Document section;
-    section.heading("slopes", words("Slopes")).add(table);
-    if (result.members.size() > k_most_slopes)
-        section.small(words("{1} of {2}; all: {3}",
-                            {std::to_string(k_most_slopes),
-                             words.number(grouped(static_cast<double>(result.members.size()))), k_member_table}));
-    return section;
-}
-
 namespace fs = std::filesystem;
 
 constexpr std::size_t k_figures_on_first_page = 12;
@@ -348,10 +289,16 @@ Table keys_table(const StudyInput& input, const Words& words) {
     return table;
 }
 
-Table failures_list(const StudyResult& result, const Words& words) {
+Table failures_list(const StudyInput& input, const StudyResult& result, const Words& words) {
     Table table({words("member"), words("reason")});
-    for (const MemberRecord& member : result.members)
-        if (!member.failure.empty()) table.row({std::to_string(member.member), member.failure});
+    for (const MemberRecord& member : result.members) {
+        if (member.failure.empty()) continue;
+        std::vector<std::string> names{std::to_string(member.member)};
+        if (!input.slopes.empty())
+            for (const std::string& name : {input.slope_of(member.member).name, input.slope_of(member.member).scenario})
+                if (!name.empty()) names.push_back(valid_utf8(name));
+        table.row({joined(names, ", "), member.failure});
+    }
     return table;
 }
 
@@ -415,14 +362,14 @@ void write_study_report(const StudyInput& input, const StudyResult& result, cons
     if (is_short) page.add(study_values(input, result, facts, words));
     page.end_answer();
     if (!is_short) page.add(study_values(input, result, facts, words));
-    page.add(exposure_section(facts.exposure, words))
-        .add(slopes_section(input, result, words))
-        .heading("maps", words("Maps"));
+    page.add(exposure_section(facts.exposure, words));
+    if (input.reading.study.region && result.rates) page.add(sources_section(input, result, words));
+    page.heading("maps", words("Maps"));
     if (maps.size() > 1) page.maps({maps.begin() + 1, maps.end()}, folder, words);
     if (maps.empty()) page.paragraph(words("There are no maps."));
     add_inputs(input, facts, words, page);
     page.charts(study_charts(), folder, words);
-    end_page(input, title_of(input, words), failures_list(result, words), facts,
+    end_page(input, title_of(input, words), failures_list(input, result, words), facts,
              maps.empty() ? Opening::answer : Opening::answer_with_picture, std::move(page), folder);
 }
 
