@@ -237,7 +237,7 @@ Table facts_table(const StudyInput& input, const CalibrationRuns& runs, const Ca
     if (result.spread) table.row({words("Spread between slopes"), result.spread->in(words)});
     for (const EventResult& event : result.events) {
         for (const Sentence& pair : sentences(event.after.posteriors, event.after.indistinct))
-            table.row({words("Not told apart"), pair.in(words)});
+            table.row({words("Indistinguishable keys"), pair.in(words)});
         if (event.scheme_check)
             for (const auto& [name, value] : rows_of(*event.scheme_check))
                 table.row({worded("{1}: {2}", {event.after.event, name}).in(words), value.in(words)});
@@ -255,23 +255,6 @@ Document answer(const StudyInput& input, const CalibrationRuns& runs, const Cali
         .add(scores_table(input, result, words))
         .add(facts_table(input, runs, result, words))
         .first_warnings(facts.warnings, words);
-}
-
-/// What the likelihood of each event rests on.
-Table likelihood_table(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
-                       const Words& words) {
-    const ReportNumbers number(words);
-    Table table({words("event"), words("pieces of information"), "Q2", words("factor of the stated errors"),
-                 words("not counted")});
-    for (std::size_t e = 0; e < input.events(); ++e) {
-        const bool is_stated = runs.events[e].is_stated();
-        table.row(
-            {input.spec().events[e].name,
-             is_stated ? number(runs.events[e].pieces, 3) : words("{1} (assumed)", {number(input.spec().exponent, 3)}),
-             number(runs.models[e].q2(), 2), is_stated ? number(runs.models[e].widening(), 2) : "",
-             joined(result.events[e].uncounted, ", ")});
-    }
-    return table;
 }
 
 void add_inputs(const StudyInput& input, const Words& words, Document& page) {
@@ -373,7 +356,6 @@ void write_calibration_report(const StudyInput& input, const CalibrationRuns& ru
     page.maps(maps, folder, words)
         .heading("scores", words("How well the events are explained"))
         .add(misfits_table(input, runs, result, words))
-        .add(likelihood_table(input, runs, result, words))
         .charts(titles_of(k_calibration_charts), folder, words);
     add_inputs(input, words, page);
     end_page(input, words("{1}: calibration", {calibration_title(input)}), failures_table(input, runs, words), facts,

@@ -151,7 +151,7 @@ void judge(const StudyInput& input, const CalibrationRuns& runs, std::size_t e, 
                                  {name, short_number(*outside, 2)})});
     if (!(q2 >= k_least_q2))
         doubts.push_back({"emulator", name, "", q2,
-                          worded("{1}: runs tell little of others (Q2 {2}, under {3}): raise study.samples",
+                          worded("{1}: runs predict others poorly (Q2 {2}, under {3}): raise study.samples",
                                  {name, short_number(q2, 2), short_number(k_least_q2)})});
     if (is_beside(event))
         doubts.push_back(
@@ -190,7 +190,7 @@ CalibrationResult calibration_result(const StudyInput& input, const CalibrationR
     }
     result.next = next_slope(input.reading, runs.population.next);
     if (input.events() == 1)
-        result.spread = worded("new-slope: spread between slopes assumed, one event tells nothing of it");
+        result.spread = worded("new-slope: spread between slopes assumed, one event does not constrain it");
     return result;
 }
 
