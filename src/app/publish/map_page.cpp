@@ -348,7 +348,9 @@ class MapPage {
                 for (Json& feature : features) all.back()["features"].push_back(std::move(feature));
                 continue;
             }
-            const bool is_main = row.file != k_outlines_file || row.name == "release" || row.name == "scar";
+            const bool is_main =
+                row.file != k_member_outlines && (row.file != k_outlines_file || row.name == "release" ||
+                                                  row.name == "scar");  // slopes are the releases
             all.push_back({{"title", layer_title(row, words_)},
                            {"colour", css(row.look.colour)},
                            {"width", 1 + 2 * row.look.width_mm},
