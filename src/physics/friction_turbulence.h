@@ -36,7 +36,9 @@ struct TurbulentFriction {
                                   {0, 1e9, true}, "Voellmy turbulence coefficient xi; off: friction alone.", "off",
                                   true)};
     }
-    static Law row() { return {.sentence = worded("turbulent bed friction")}; }
+    static Law row() {
+        return {.sentence = worded("turbulent bed friction"), .resists_alike = {"turbulent resistance"}};
+    }
     template <class Scene>
     static bool acts(const Scene& s) {
         return s.material.inverse_turbulence() > 0 || s.zones.turbulence;

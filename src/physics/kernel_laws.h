@@ -9,6 +9,7 @@
 #include "physics/erosion_mechanical.h"
 #include "physics/erosion_shear_stress.h"
 #include "physics/friction_herschel_bulkley.h"
+#include "physics/friction_modified_voellmy.h"
 #include "physics/friction_pouliquen_forterre.h"
 #include "physics/law.h"
 #include "physics/stress_bingham.h"
@@ -16,8 +17,8 @@
 
 namespace frana {
 
-/// Those of bed friction that are no polynomial of the speed; 5 slopes x 4 = 20 of update_nodes.
-using ExcessLaw = std::variant<NoExcess, HerschelBulkleyExcess, PouliquenForterreExcess>;
+/// Those of bed friction that are no polynomial of the speed; 5 slopes x 5 = 25 of update_nodes.
+using ExcessLaw = std::variant<NoExcess, HerschelBulkleyExcess, PouliquenForterreExcess, ModifiedVoellmyExcess>;
 
 /// 2 schemes x 3 transfers x 3 stresses x 2 = 36 of nodes_to_particles.
 using StressLaws = LawList<LawKind::in_plane_stress, BinghamStress, EarthPressureStress>;

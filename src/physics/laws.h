@@ -16,9 +16,9 @@
 
 namespace frana {
 
-using BedLaws =
-    LawList<LawKind::bed_friction, CoulombFriction, TurbulentFriction, CohesiveFriction, RammsYield, BinghamFriction,
-            HerschelBulkleyExcess, OBrienJulienFriction, ManningFriction, ChezyFriction, PouliquenForterreExcess>;
+using BedLaws = LawList<LawKind::bed_friction, CoulombFriction, TurbulentFriction, CohesiveFriction, RammsYield,
+                        BinghamFriction, HerschelBulkleyExcess, OBrienJulienFriction, ManningFriction, ChezyFriction,
+                        PouliquenForterreExcess, ModifiedVoellmyExcess>;
 
 /// Calls visit.operator()<List>() for each kind of law.
 template <class Visit>

@@ -102,8 +102,8 @@ std::vector<std::string> files_with(const std::vector<std::string>& texts) {
 // its own. Words that also name a quantity by place ("cohesion", "turbulence") are left out.
 TEST(SourceFiles, ALawIsNamedInItsHeader) {
     for (const std::string word :
-         {"chezy", "pouliquen-forterre", "mechanical", "coulomb", "ramms-yield", "bingham", "herschel-bulkley",
-          "obrien-julien", "manning", "earth-pressure", "shear-stress", "growth"}) {
+         {"chezy", "pouliquen-forterre", "modified-voellmy", "mechanical", "coulomb", "ramms-yield", "bingham",
+          "herschel-bulkley", "obrien-julien", "manning", "earth-pressure", "shear-stress", "growth"}) {
         const auto naming = files_with({'"' + word + '"', " = " + word + '"'});
         EXPECT_GE(naming.size(), 1U) << word;
         EXPECT_LE(naming.size(), 2U) << word << ": " << testing::PrintToString(naming);

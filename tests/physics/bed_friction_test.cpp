@@ -11,6 +11,7 @@
 #include "physics/friction_coulomb.h"
 #include "physics/friction_herschel_bulkley.h"
 #include "physics/friction_manning.h"
+#include "physics/friction_modified_voellmy.h"
 #include "physics/friction_obrien_julien.h"
 #include "physics/friction_pouliquen_forterre.h"
 #include "physics/friction_ramms_yield.h"
@@ -98,6 +99,61 @@ TEST(OBrienJulienFriction, IsTheFrictionSlopeTimesGravity) {
     const double slope =
         120 / (gamma * d) + 2000 * 30 * s / (8 * gamma * d * d) + 0.05 * 0.05 * s * s / std::pow(d, 4.0 / 3);
     EXPECT_NEAR(bed.yield + bed.linear * s + bed.square * s * s, k_gravity * slope, 1e-12);
+}
+
+TEST(ModifiedVoellmyFriction, IsOneOfTheTwoPartsOnEitherSideOfItsSpeed) {
+    const ModifiedVoellmyExcess law{k_gravity, {0.3}, {500}, 4};
+    const double crossover = 4 * std::cbrt(k_thickness), dt = 1e-6;
+    const BedState bed = bed_under(law);
+    EXPECT_DOUBLE_EQ(bed.yield, 0.3 * k_normal);
+    EXPECT_DOUBLE_EQ(bed_under(law, 1, 10, 0.25).yield, 0.75 * 0.3 * 10);
+    double after = 0;
+    for (const double s : {0.1, 0.99 * crossover})
+        EXPECT_NEAR(resistance_met(bed, law, s, dt, &after), 0.3 * k_normal, 1e-6) << s;
+    for (const double s : {1.01 * crossover, 60.0})
+        EXPECT_NEAR(resistance_met(bed, law, s, dt, &after), k_gravity * s * s / (500 * k_thickness), 1e-3) << s;
+    EXPECT_EQ(speed_after_friction(bed, 0, law, 0.01, 0.01, 1), 0) << "stops within a step";
+    BedState dry = bed_under(law, 0);
+    EXPECT_EQ(speed_after_friction(dry, 0, law, 3, 3, 0.1), 0);
+    const BedState film = bed_under(law, 1e-9);
+    EXPECT_LT(speed_after_friction(film, 0, law, 30, 30, 0.1), 0.01) << "thin flow is slow at once";
+    EXPECT_EQ(bed_under(law, 1, 0).yield, 0) << "no support, no friction";
+}
+
+// A block that reaches flat ground with a speed v_0 slows down as exp(-g x / (xi d)) to v_c and then by friction:
+//
+//     x = (xi d / g) ln(v_0 / v_c) + v_c^2 / (2 mu g),   v_c = v_1 d^(1/3)
+//
+// With v_0 of a fall through a height h, thickness 8 times as large (512 times the volume in the same shape) takes it
+// 5.7 times as far; the sum of both parts, whose run-out is (xi d / 2 g) ln(1 + v_0^2 / (mu xi d)), 2.8 times, since
+// its friction stops thick flow as well as thin: what a fitted mu then has to make up for.
+TEST(ModifiedVoellmyFriction, RunsOutFartherTheThickerWithTheSameParameters) {
+    const double mu = 0.2, xi = 500, v1 = 4, start = std::sqrt(2 * k_gravity * 300), dt = 0.01;
+    const ModifiedVoellmyExcess law{k_gravity, {mu}, {xi}, v1};
+    const auto way = [&](const auto& excess, const BedState& bed) {
+        double s = start, x = 0;
+        while (s > 0) {
+            const double next = speed_after_friction(bed, 0, excess, s, s, dt);
+            x += 0.5 * (s + next) * dt;
+            s = next;
+        }
+        return x;
+    };
+    std::vector<double> ways, sums;
+    for (const double d : {5.0, 40.0}) {
+        const double crossover = v1 * std::cbrt(d), exact = xi * d / k_gravity * std::log(start / crossover) +
+                                                            crossover * crossover / (2 * mu * k_gravity);
+        ways.push_back(way(law, bed_under(law, d, k_gravity)));
+        EXPECT_NEAR(ways.back(), exact, 0.002 * exact) << d;
+        BedState sum = bed_under(CoulombFriction{{mu}}, d, k_gravity);
+        TurbulentFriction{k_gravity, {xi}}(sum, 0);
+        sums.push_back(way(NoExcess{}, sum));
+        const double both = xi * d / (2 * k_gravity) * std::log(1 + start * start / (mu * xi * d));
+        EXPECT_NEAR(sums.back(), both, 0.002 * both) << d;
+    }
+    const double grown = ways[1] / ways[0], grown_sum = sums[1] / sums[0];
+    EXPECT_NEAR(grown, 5.67, 0.05);
+    EXPECT_NEAR(grown_sum, 2.84, 0.05);
 }
 
 // Under a push f the speed after `time` in that many steps.

@@ -160,6 +160,15 @@ TEST(BedLaws, PouliquenForterre) {
     });
 }
 
+// 1 m thick: friction up to 1 m/s, from there on turbulence alone.
+TEST(BedLaws, ModifiedVoellmy) {
+    Material m = material_of({"modified-voellmy"});
+    m.of<CoulombFriction>().friction_coefficient = 0.2;
+    m.of<TurbulentFriction>().turbulence = 50;
+    m.of<ModifiedVoellmyExcess>().crossover_speed = 1;
+    expect_block(m, [](double s, double) { return s < 1 ? 0.2 * k_normal : k_normal * s * s / 50; });
+}
+
 TEST(BedLaws, PorePressureThatDissipates) {
     Material m = material_of({"coulomb"});
     m.of<CoulombFriction>().friction_coefficient = 0.3;
@@ -285,6 +294,8 @@ TEST_P(StaysAtRest, NotOneBitMoves) {
     m.of<RammsYield>().ramms_yield_stress = 60000;  // reaches 14 kPa there
     m.of<HerschelBulkleyExcess>().consistency = m.of<BinghamStress>().viscosity = 100;
     m.of<HerschelBulkleyExcess>().flow_index = 0.5;
+    m.of<TurbulentFriction>().turbulence = 500;
+    m.of<ModifiedVoellmyExcess>().crossover_speed = 4;
     const GridSpec grid = bench::plain_grid(40, 40, 1);
     const Raster bed = bench::sample_raster(grid, [](Point p) { return (40 - p.x) * 0.2; });
     const ParticleSet seeds = bench::fill_lattice(
@@ -299,7 +310,7 @@ TEST_P(StaysAtRest, NotOneBitMoves) {
 
 INSTANTIATE_TEST_SUITE_P(Laws, StaysAtRest,
                          testing::Values("cohesion", "ramms-yield", "bingham", "herschel-bulkley", "obrien-julien",
-                                         "pouliquen-forterre"));
+                                         "pouliquen-forterre", "modified-voellmy"));
 
 }  // namespace
 }  // namespace frana::test
