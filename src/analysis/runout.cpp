@@ -166,6 +166,22 @@ double length(const Polyline& line) {
     return sum;
 }
 
+double beta_of(const Polyline& path, const Raster& bed, double top) {
+    constexpr double k_gentle = 10 * std::numbers::pi / 180, k_ahead = 30;  // [m]
+    const double whole = length(path), ahead = std::max(k_ahead, 3 * bed.grid.cell_size);
+    if (!(whole > ahead)) return 0;
+    const std::vector<Station> along = stations(path, bed.grid.cell_size);
+    std::size_t next = 0;
+    for (const Station& station : along) {
+        while (next < along.size() && along[next].distance < station.distance + ahead) ++next;
+        if (next == along.size()) break;
+        const double here = cell_value(bed, station.place), fall = here - cell_value(bed, along[next].place);
+        if (station.distance > 0 && fall < std::tan(k_gentle) * (along[next].distance - station.distance))
+            return std::atan2(top - here, station.distance) * 180 / std::numbers::pi;
+    }
+    return 0;
+}
+
 double path_coordinate(const Polyline& line, Point point) {
     double nearest = std::numeric_limits<double>::infinity(), coordinate = 0, travelled = 0;
     for (std::size_t i = 1; i < line.size(); ++i) {

@@ -47,17 +47,27 @@ struct Runout {
     double drop_m = 0;           ///< surface at the top minus bed at the tip
     double reach_angle_deg = 0;  ///< atan(drop / horizontal), the angle of reach (Fahrboeschung)
     double path_m = 0;           ///< along the flow path from top to tip (flow_path); 0: not computed
+    double beta_deg = 0;         ///< from the top to the path's 10 degree point; 0: it has none (beta_of)
     Point top;                   ///< map coordinates
     Point tip;
     double covered_area_m2 = 0;  ///< of the trace
 
     /// The angle along the path, which statistical methods (alpha-beta) use [degrees].
     [[nodiscard]] double path_angle_deg() const noexcept { return reach_angle(path_m); }
+    /// The angle along the path that snow avalanches are expected to reach, 0.96 beta - 1.4 with a standard deviation
+    /// of k_alpha_deviation: after Lied and Bakkehoi 1980, J. Glaciol. 26, 165, as those quote it who use it in Norway
+    /// [degrees].
+    [[nodiscard]] double alpha_deg() const noexcept { return 0.96 * beta_deg - 1.4; }
+    static constexpr double k_alpha_deviation = 2.3;
     /// Returns atan(drop / length) [degrees].
     [[nodiscard]] double reach_angle(double length_m) const noexcept {
         return std::atan2(drop_m, length_m) * 180 / std::numbers::pi;
     }
 };
+
+/// Returns the angle from a path's start, at an elevation [m], to its 10 degree point [degrees]: the first from which
+/// the bed falls by less than 10 degrees on the next 30 m, or three cells. 0: there is none.
+double beta_of(const Polyline& path, const Raster& bed, double top);
 
 /// Run-outs by the number of the flow. `bed` [m] is the sliding surface, `release` the vertical thickness of the failed
 /// mass [m] (positive: released), `trace` a mask of the area reached, all on the same cells; cells of none of the flows

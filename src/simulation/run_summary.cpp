@@ -210,6 +210,10 @@ Json volume_json(const RunResult& result) {
 Json runout_json(const Runout& one) {
     Json json{{"horizontal_m", one.horizontal_m}, {"drop_m", one.drop_m}, {"reach_angle_deg", one.reach_angle_deg}};
     if (one.path_m > 0) json.update({{"path_m", one.path_m}, {"path_angle_deg", one.path_angle_deg()}});
+    if (one.beta_deg > 0)
+        json.update({{"beta_deg", one.beta_deg},
+                     {"alpha_beta_deg", one.alpha_deg()},
+                     {"alpha_beta_deviation_deg", Runout::k_alpha_deviation}});
     return json;
 }
 
@@ -228,8 +232,12 @@ TraceFigures trace_figures(const RunResult& result, const Raster& terrain, doubl
     figures.threshold = threshold;
     figures.covered_area_m2 = masked_area(trace);
     figures.run_outs = runouts(separate_flows(result), result.raster(RasterName::bed), result.raster("release"), trace);
-    if (Runout& first = figures.run_outs.front(); first.horizontal_m > 0)
-        first.path_m = length(flow_path(result.raster(RasterName::max_depth), first.top, first.tip));
+    if (Runout& first = figures.run_outs.front(); first.horizontal_m > 0) {
+        const Polyline path = flow_path(result.raster(RasterName::max_depth), first.top, first.tip);
+        const Raster& bed = result.raster(RasterName::bed);
+        first.path_m = length(path);
+        first.beta_deg = beta_of(path, bed, cell_value(bed, first.tip) + first.drop_m);
+    }
     figures.high = peak_statistics(result, trace);
     figures.path_ground = ground_where(terrain, trace, 0);
     return figures;

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/error.h"
 
 namespace frana {
@@ -72,6 +75,37 @@ TEST(Runout, DifferentGridsAreRefused) {
     GridSpec moved = bed.grid;
     moved.west += 10;
     EXPECT_THROW(runout(bed, Raster(moved, 1), Raster(bed.grid)), Error);
+}
+
+// 400 m of 30 degrees, then 4 degrees: beta is the slope's angle from the path's start at its foot, whatever lies
+// beyond; benches of less than 30 m do not count.
+TEST(Beta, IsTheAngleToTheFirstThirtyMetresUnderTenDegrees) {
+    GridSpec grid;
+    grid.cell_size = 5;
+    grid.columns = 160;
+    grid.rows = 3;
+    grid.north = 15;
+    const auto bed_of = [&](double bench) {
+        Raster bed(grid);
+        for (std::int64_t c = 0; c < grid.columns; ++c) {
+            const double x = (static_cast<double>(c) + 0.5) * grid.cell_size,
+                         on_bench = std::clamp(x - 200, 0.0, bench), steep = std::min(x, 400.0) - on_bench,
+                         gentle = std::max(x - 400, 0.0);
+            for (std::int64_t r = 0; r < 3; ++r)
+                bed.at(r, c) = 1000 - steep * std::tan(M_PI / 6) - gentle * std::tan(4 * M_PI / 180);
+        }
+        return bed;
+    };
+    const Polyline path{{2.5, 7.5}, {600, 7.5}};
+    const Raster plain = bed_of(0);
+    const double top = plain.at(1, 0);
+    EXPECT_NEAR(beta_of(path, plain, top), 30, 0.3);
+    EXPECT_GT(beta_of(path, plain, top + 20), 31) << "from the surface of what fails";
+    EXPECT_EQ(beta_of({{2.5, 7.5}, {380, 7.5}}, plain, top), 0) << "a path that ends on the slope";
+    EXPECT_LT(beta_of(path, bed_of(15), top), 30) << "a short bench makes the way longer";
+    EXPECT_GT(beta_of(path, bed_of(15), top), 28);
+    const double at_bench = beta_of(path, bed_of(60), top);
+    EXPECT_NEAR(at_bench, 30, 0.5) << "a wide one has the 10 degree point";
 }
 
 }  // namespace

@@ -340,11 +340,15 @@ Document answer_tables(const ReportInput& input) {
         {words("Volume"), number.grouped(r.volume_entered), "m³", ""},
         {words("Drop"), number.grouped(run_out.drop_m), "m", ""},
         {words("Angle of reach"), number(run_out.reach_angle_deg, 3), "°", ""},
-        {words("Run-out along the flow path"), number.grouped(run_out.path_m), "m", ""},
-        {words("Angle along the flow path"), number(run_out.path_m > 0 ? run_out.path_angle_deg() : 0, 3), "°", ""},
+        {words("Run-out along the flow path"), number.grouped(run_out.path_m),
+         "m, " + number(run_out.path_m > 0 ? run_out.path_angle_deg() : 0, 3) + "°", ""},
         {words("Area deeper than {1} m", {number(f.statistics.threshold)}),
          number.grouped(f.statistics.covered_area_m2), "m²", "covered_area_m2"},
     };
+    if (run_out.beta_deg > 0)
+        where.insert(where.end() - 1,
+                     {"α (Lied, Bakkehøi 1980), β = " + number(run_out.beta_deg, 3) + "°",
+                      number(run_out.alpha_deg(), 3) + " ± " + number(Runout::k_alpha_deviation), "°", ""});
     std::vector<Row> strength;
     for (std::size_t i = 0; i < f.high.size(); ++i) {
         const PeakStatistic& what = k_peak_statistics[i];
