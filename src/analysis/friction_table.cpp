@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <tuple>
 #include <utility>
 
@@ -28,21 +29,28 @@ std::size_t FrictionChoice::volume_class() const {
     return class_between(table.volumes, volume);
 }
 
+std::optional<std::size_t> FrictionChoice::close_class() const {
+    for (const double factor : {0.95, 1.05})
+        if (const std::size_t other = class_between(table.volumes, factor * volume); other != volume_class())
+            return other;
+    return std::nullopt;
+}
+
 FrictionPair FrictionChoice::at(std::size_t kind, std::size_t band, bool forest) const {
     FrictionPair pair = table.at(period, volume_class(), kind, band);
     if (forest && table.forest) pair = {pair.coefficient + table.forest->more_friction, table.forest->turbulence};
     return {friction_factor * pair.coefficient, turbulence_factor * pair.turbulence};
 }
 
-double curvature_across_slope(const Raster& terrain, std::int64_t row, std::int64_t column, std::int64_t step) {
+GroundShape ground_shape(const Raster& terrain, std::int64_t row, std::int64_t column, std::int64_t step) {
     const GridSpec& grid = terrain.grid;
-    if (row < step || column < step || row + step >= grid.rows || column + step >= grid.columns) return 0;
+    if (row < step || column < step || row + step >= grid.rows || column + step >= grid.columns) return {};
     // Eastwards and northwards: z[j][i] with j from the south.
     double z[3][3];  // NOLINT(modernize-avoid-c-arrays)
     for (std::int64_t j = 0; j < 3; ++j)
         for (std::int64_t i = 0; i < 3; ++i) {
             z[j][i] = terrain.at(row - (j - 1) * step, column + (i - 1) * step);
-            if (std::isnan(z[j][i])) return 0;
+            if (std::isnan(z[j][i])) return {};
         }
     const double h = static_cast<double>(step) * grid.cell_size;
     double z_x = 0, z_y = 0, z_xx = 0, z_yy = 0;
@@ -53,8 +61,9 @@ double curvature_across_slope(const Raster& terrain, std::int64_t row, std::int6
         z_yy += (z[0][k] - 2 * z[1][k] + z[2][k]) / (3 * h * h);
     }
     const double z_xy = (z[2][2] - z[2][0] - z[0][2] + z[0][0]) / (4 * h * h);
-    return (z_xx * z_y * z_y - 2 * z_xy * z_x * z_y + z_yy * z_x * z_x) /
-           std::max(k_least_square_of_slope, z_x * z_x + z_y * z_y);
+    const double square = z_x * z_x + z_y * z_y;
+    return {std::sqrt(square),
+            (z_xx * z_y * z_y - 2 * z_xy * z_x * z_y + z_yy * z_x * z_x) / std::max(k_least_square_of_slope, square)};
 }
 
 FrictionByPlace::FrictionByPlace(FrictionChoice choice, Raster terrain, std::optional<Raster> forest)
@@ -71,10 +80,12 @@ std::optional<FrictionByPlace::Place> FrictionByPlace::at(std::int64_t row, std:
     place.band = class_between(table.altitudes, elevation);
     place.forest = forest_ && forest_->has_data(row, column);
     const std::vector<FrictionTable::Terrain>& kinds = table.terrain;
-    std::size_t lower = 0;
+    const GroundShape shape = kinds.size() > 1 ? ground_shape(terrain_, row, column, step_) : GroundShape();
+    const std::optional<double>& gentle = kinds[0].slope_below;
+    std::size_t lower = gentle && !(shape.slope < std::tan(*gentle * std::numbers::pi / 180)) ? 1 : 0;
     double weight = 0;  // of the next class
-    if (kinds.size() > 1) {
-        const double curvature = curvature_across_slope(terrain_, row, column, step_);
+    if (lower + 1 < kinds.size() && (lower == 1 || !gentle)) {
+        const double curvature = shape.curvature;
         while (lower + 2 < kinds.size() && curvature >= kinds[lower + 1].curvature) ++lower;
         const double from = kinds[lower].curvature, to = kinds[lower + 1].curvature;
         weight = std::clamp((curvature - from) / (to - from), 0.0, 1.0);

@@ -20,10 +20,11 @@ struct FrictionPair {
 /// Published friction by return period, volume, terrain and altitude: a file of share/friction or a user's own
 /// (src/params/scene/read_friction_table.h).
 struct FrictionTable {
-    /// A class of terrain, by the curvature of the ground across the slope.
+    /// A class of terrain: gentle ground, or by the curvature of the ground across the slope.
     struct Terrain {
         std::string name{};    ///< "Gully"
         double curvature = 0;  ///< at which its values apply [1/m]; linear in between, the nearest class' beyond
+        std::optional<double> slope_below{};  ///< instead, of the first class: all ground less steep [degrees]
     };
     /// What forest changes.
     struct Forest {
@@ -41,7 +42,7 @@ struct FrictionTable {
     std::vector<double> periods{};    ///< return periods [years], rising
     std::vector<double> volumes{};    ///< least release volume of each class but the first [m3], rising
     std::vector<double> altitudes{};  ///< least elevation of each band but the lowest [m], rising
-    std::vector<Terrain> terrain{};   ///< by rising curvature
+    std::vector<Terrain> terrain{};   ///< gentle ground, then by rising curvature
     double spacing = 0;               ///< of the elevations from which curvature is computed [m]
     std::optional<double> density{};  ///< of the flow that it is for [kg/m3]
     std::optional<Forest> forest{};   ///< none: the table does not say
@@ -64,6 +65,8 @@ struct FrictionChoice {
     double turbulence_factor = 1;  ///< of every xi
 
     [[nodiscard]] std::size_t volume_class() const;
+    /// Returns the class of a volume 5 % smaller or larger, if it is another: it is as likely.
+    [[nodiscard]] std::optional<std::size_t> close_class() const;
     /// Returns the values of a class of terrain, with forest and factors.
     [[nodiscard]] FrictionPair at(std::size_t kind, std::size_t band, bool forest) const;
 };
@@ -71,7 +74,12 @@ struct FrictionChoice {
 /// Returns the index of the class of a value between rising limits; a value on a limit belongs to the upper class.
 std::size_t class_between(const std::vector<double>& limits, double value);
 
-/// Returns the second derivative of the ground across its slope, in the direction of the contour [1/m]:
+struct GroundShape {
+    double slope = 0;      ///< tangent [-]
+    double curvature = 0;  ///< across the slope [1/m]
+};
+
+/// Returns the slope of the ground, and its second derivative in the direction of the contour:
 ///
 ///     C = (z_xx z_y^2 - 2 z_xy z_x z_y + z_yy z_x^2) / max(0.01, z_x^2 + z_y^2)
 ///
@@ -79,7 +87,7 @@ std::size_t class_between(const std::vector<double>& limits, double value);
 /// of the parabola fitted to 3 x 3 elevations `step` cells apart (Evans 1980, Z. Geomorph. Suppl. 36, 274); 0 where one
 /// of them is missing. The formula with its bound is that of NGI's NAKSIN (repository
 /// norwegian-geotechnical-institute/Avaframe-Workshop, Friction.py, _terrain_parameters).
-double curvature_across_slope(const Raster& terrain, std::int64_t row, std::int64_t column, std::int64_t step);
+GroundShape ground_shape(const Raster& terrain, std::int64_t row, std::int64_t column, std::int64_t step);
 
 /// Friction of every place of a terrain after a table.
 class FrictionByPlace {

@@ -58,23 +58,23 @@ TEST(CurvatureAcrossSlope, OfSecondDegreeSurfacesIsExact) {
                 const double along = c * x + s * y, side = c * y - s * x;
                 return 1000 - k_slope * along + 0.5 * 0.004 * along * along + 0.5 * across * side * side;
             });
-            EXPECT_NEAR(curvature_across_slope(ground, k_middle, k_middle, 2), across, 1e-12) << degrees;
+            EXPECT_NEAR(ground_shape(ground, k_middle, k_middle, 2).curvature, across, 1e-12) << degrees;
         }
     }
 }
 
 TEST(CurvatureAcrossSlope, OfAPlaneIsZeroOnAnySpacing) {
     const Raster plane = surface([](double x, double y) { return 900 - 0.5 * x + 0.2 * y; });
-    for (const std::int64_t step : {1, 2, 5}) EXPECT_NEAR(curvature_across_slope(plane, 20, 20, step), 0, 1e-13);
+    for (const std::int64_t step : {1, 2, 5}) EXPECT_NEAR(ground_shape(plane, 20, 20, step).curvature, 0, 1e-13);
 }
 
 // |y| of slope b across, a along: at the thalweg 2 b / h for elevations h apart, as the second difference of |y| says.
 TEST(CurvatureAcrossSlope, OfAVShapedValleyIsThatOfItsChord) {
     const Raster valley = surface([](double x, double y) { return 900 - 0.5 * x + 0.4 * std::abs(y); });
-    EXPECT_NEAR(curvature_across_slope(valley, k_middle, k_middle, 2), 2 * 0.4 / 10, 1e-12);
-    EXPECT_NEAR(curvature_across_slope(valley, k_middle - 2, k_middle, 2), 0, 1e-12) << "its sides are planes";
+    EXPECT_NEAR(ground_shape(valley, k_middle, k_middle, 2).curvature, 2 * 0.4 / 10, 1e-12);
+    EXPECT_NEAR(ground_shape(valley, k_middle - 2, k_middle, 2).curvature, 0, 1e-12) << "its sides are planes";
     const Raster ridge = surface([](double x, double y) { return 900 - 0.5 * x - 0.4 * std::abs(y); });
-    EXPECT_NEAR(curvature_across_slope(ridge, k_middle, k_middle, 2), -0.08, 1e-12);
+    EXPECT_NEAR(ground_shape(ridge, k_middle, k_middle, 2).curvature, -0.08, 1e-12);
 }
 
 // On a cone of slope k the contour is a circle: k / r inwards, -k / r outwards. The fit sees it to (h / r)^2.
@@ -83,8 +83,8 @@ TEST(CurvatureAcrossSlope, OfAConeIsThatOfItsContour) {
         const auto cone = [r](double sign) {
             return surface([=](double x, double y) { return 900 + sign * 0.5 * std::hypot(x - r, y); });
         };
-        EXPECT_NEAR(curvature_across_slope(cone(1), 20, 20, 2), 0.5 / r, 0.5 / r * (100 / (r * r))) << "funnel";
-        EXPECT_NEAR(curvature_across_slope(cone(-1), 20, 20, 2), -0.5 / r, 0.5 / r * (100 / (r * r))) << "fan";
+        EXPECT_NEAR(ground_shape(cone(1), 20, 20, 2).curvature, 0.5 / r, 0.5 / r * (100 / (r * r))) << "funnel";
+        EXPECT_NEAR(ground_shape(cone(-1), 20, 20, 2).curvature, -0.5 / r, 0.5 / r * (100 / (r * r))) << "fan";
     }
 }
 
@@ -92,14 +92,14 @@ TEST(CurvatureAcrossSlope, FadesOutInFlatGroundAndIsZeroAtTheEdge) {
     const auto channel = [](double slope) {
         return surface([slope](double x, double y) { return 900 - slope * x + 0.5 * 0.05 * y * y; });
     };
-    EXPECT_NEAR(curvature_across_slope(channel(0.1), 20, 20, 2), 0.05, 1e-12);
-    EXPECT_NEAR(curvature_across_slope(channel(0.05), 20, 20, 2), 0.05 / 4, 1e-12);
-    EXPECT_EQ(curvature_across_slope(channel(0), 20, 20, 2), 0);
+    EXPECT_NEAR(ground_shape(channel(0.1), 20, 20, 2).curvature, 0.05, 1e-12);
+    EXPECT_NEAR(ground_shape(channel(0.05), 20, 20, 2).curvature, 0.05 / 4, 1e-12);
+    EXPECT_EQ(ground_shape(channel(0), 20, 20, 2).curvature, 0);
     Raster holed = channel(0.5);
-    EXPECT_EQ(curvature_across_slope(holed, 1, 20, 2), 0);
-    EXPECT_EQ(curvature_across_slope(holed, 20, 39, 2), 0);
+    EXPECT_EQ(ground_shape(holed, 1, 20, 2).curvature, 0);
+    EXPECT_EQ(ground_shape(holed, 20, 39, 2).curvature, 0);
     holed.at(18, 22) = k_no_data;
-    EXPECT_EQ(curvature_across_slope(holed, 20, 20, 2), 0);
+    EXPECT_EQ(ground_shape(holed, 20, 20, 2).curvature, 0);
 }
 
 Raster channel_of(double curvature) {
@@ -128,6 +128,33 @@ TEST(FrictionByPlace, IsLinearInCurvatureBetweenTwoClasses) {
     EXPECT_EQ(middle(channel_of(0.0061)).kind, 2U);
     EXPECT_EQ(middle(channel_of(0.0299)).kind, 2U);
     EXPECT_EQ(middle(channel_of(0.0301)).kind, 3U);
+}
+
+// A first class by slope takes all ground less steep, whatever its curvature; the others stay as they are.
+TEST(FrictionByPlace, TakesGentleGroundByItsSlope) {
+    FrictionChoice gentle = choice();
+    FrictionTable& table = gentle.table;
+    table.terrain[0].slope_below = 10;
+    const auto at = [&](double slope, double curvature) {
+        const Raster ground = surface([=](double x, double y) { return 900 - slope * x + 0.5 * curvature * y * y; });
+        return FrictionByPlace(gentle, ground, std::nullopt).at(k_middle, k_middle).value();
+    };
+    for (const double curvature : {-0.03, 0.0, 0.01, 0.05}) {
+        EXPECT_EQ(at(0.17, curvature).kind, 0U) << "9.6 degrees, " << curvature;
+        EXPECT_EQ(at(0.17, curvature).values.coefficient, table.at(0, 0, 0, 0).coefficient);
+    }
+    EXPECT_EQ(at(0.18, 0).kind, 1U) << "10.2 degrees";
+    EXPECT_EQ(at(0.18, 0).values.coefficient, table.at(0, 0, 1, 0).coefficient);
+    EXPECT_EQ(at(0.5, 0.2).kind, 3U);
+    EXPECT_NEAR(at(0.5, 0.006).values.coefficient, 0.15, 1e-9);
+}
+
+// 1000 m3 within 5 % of the volume.
+TEST(FrictionChoice, KnowsWhenTheOtherClassOfVolumeIsAsLikely) {
+    EXPECT_EQ(choice(953).close_class(), 1U);
+    EXPECT_EQ(choice(1052).close_class(), 0U);
+    EXPECT_FALSE(choice(952).close_class());
+    EXPECT_FALSE(choice(1053).close_class());
 }
 
 // The spacing of the elevations is the table's, whatever the cells.

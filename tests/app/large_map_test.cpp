@@ -167,7 +167,7 @@ TEST_F(SameBits, WithAFrictionTable) {
     write_maps();
     write("scene.ini",
           "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
-          "friction-table = ramms-avalanche\nreturn-period = 300\ntable-friction-factor = 0.2\n[time]\nend = 3\n" +
+          "friction-table = ngi-avalanche\nreturn-period = 300\ntable-friction-factor = 0.2\n[time]\nend = 3\n" +
               k_numbers_only);
     expect_same_flow();
 }

@@ -188,7 +188,7 @@ TEST(FacadeScene, TakesItsFrictionFromATable) {
     by_place.set_values("zones.turbulence", {xi});
     const facade::Raster expected = facade::run(by_place).raster("max_depth");
     const facade::Raster found =
-        facade::run(scene_with({{"material.friction-table", "ramms-avalanche"}, {"material.return-period", "300"}}))
+        facade::run(scene_with({{"material.friction-table", "ngi-avalanche"}, {"material.return-period", "300"}}))
             .raster("max_depth");
     for (std::int64_t row = 0; row < k_small_grid.rows; ++row)
         for (std::int64_t column = 0; column < k_small_grid.columns; ++column) {

@@ -9,7 +9,7 @@ import sys
 program, sample, result = sys.argv[1:]
 COMMON = ["--quiet", "--overwrite", "--set", "terrain.cell-size=10", "--set", "output.maps=off",
           "--set", "output.animation=off", "--set", "output.report=off", "--set", "hazard.scheme=swiss-flood",
-          "--set", "material.friction-table=ramms-avalanche", "--set", "material.return-period=300"]
+          "--set", "material.friction-table=ngi-avalanche", "--set", "material.return-period=300"]
 LONG = ["title=Rockslide above the upper villages and the hydropower station at the mouth of the valley, 2026 survey",
         "map-author=Office for Natural Hazards of the Autonomous Province, Department of Geology",
         "map-attribution=Province, Department of Geology and Mapping, orders 4 to 12 of 2025, under a licence that asks "

@@ -143,7 +143,7 @@ def check_layouts(project, folder, picture):
         if layer.source().endswith("hazard.tif"):
             assert "without its frequency" in texts and "Source: " in texts, texts
         if os.path.basename(layer.source()) in ("mu.tif", "xi.tif"):
-            assert "Friction table: RAMMS Avalanche" in texts and "Source: SLF" in texts, texts
+            assert "Friction table: NGI, Voellmy friction" in texts and "Source: NGI" in texts, texts
         scale = round(1000 * sheet.extent().width() / sheet.rect().width())
         assert "1 : " + f"{scale:,}".replace(",", " ") in texts, (scale, texts)
     pictures = QgsLayoutExporter.ImageExportSettings()

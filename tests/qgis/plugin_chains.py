@@ -57,7 +57,7 @@ def test_outputs_of_one_run():
     first = run("run", scene("first", output_maps=["max_depth"], output_animation=True, output_charts=True,
                              output_gauges=drawn("Point", "POINT(529400 5094450)"),
                              output_cross_sections=drawn("LineString", "LINESTRING(529300 5094400, 529500 5094400)"),
-                             output_exposure=polygons(UPPER, LOWER), material_friction_table="ramms-avalanche",
+                             output_exposure=polygons(UPPER, LOWER), material_friction_table="ngi-avalanche",
                              material_return_period=300, **OBSERVED))
     check_outputs("run", first, {"EXPOSED_POINTS", "EXPOSED_LINES"})
     assert first["EXPOSED_REACHED"] >= 1

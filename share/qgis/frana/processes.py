@@ -27,5 +27,5 @@ def implied(process: str, country: str, has_return_period: bool) -> dict[str, st
     """The texts of keys. An empty word: not chosen. Avalanches of a return period have the friction table of it."""
     found = {**PROCESSES.get(process, {}), **COUNTRIES.get(country, {}).get(process, {})}
     if process == "avalanche" and has_return_period:
-        found["material.friction-table"] = "ramms-avalanche"
+        found["material.friction-table"] = "ngi-avalanche"
     return found

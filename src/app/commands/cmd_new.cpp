@@ -268,7 +268,7 @@ std::string region_text(const std::string& scene, const SceneDraft& draft) {
            "\n# Once for all: the country's scheme, the process whose matrix gives the degree of hazard, the "
            "friction.\n"
            "[set]\n# hazard.scheme = swiss-debris-flow\n# hazard.process = channel-debris-flow\n"
-           "# material.friction-table = ramms-avalanche\n\n"
+           "# material.friction-table = ngi-avalanche\n\n"
            "# Any key of the scene may come from a column.\n[columns]\n" +
            line("release.volume") +
            "\n# Or every path in every scenario, whose name is its return period (years); also that of the friction.\n"

@@ -113,11 +113,14 @@ std::string text_of(const FrictionTable& table) {
     if (!table.volumes.empty()) text += "  Limits of volume: " + numbers_text(table.volumes) + " m3\n";
     if (!table.altitudes.empty()) text += "  Limits of altitude: " + numbers_text(table.altitudes) + " m\n";
     text += table.forest ? "  Has values for forest\n" : "  No values for forest\n";
-    for (std::size_t kind = 0; kind < table.terrain.size(); ++kind)
-        text +=
-            "  " + std::to_string(kind + 1) + "  " + table.terrain[kind].name +
-            (table.terrain.size() > 1 ? ": curvature " + shortest_text(table.terrain[kind].curvature) + " 1/m" : "") +
-            '\n';
+    for (std::size_t i = 0; i < table.terrain.size(); ++i) {
+        const FrictionTable::Terrain& kind = table.terrain[i];
+        text += "  " + std::to_string(i + 1) + "  " + kind.name;
+        if (table.terrain.size() > 1)
+            text += kind.slope_below ? ": slope below " + shortest_text(*kind.slope_below) + " degrees"
+                                     : ": curvature " + shortest_text(kind.curvature) + " 1/m";
+        text += '\n';
+    }
     return text;
 }
 

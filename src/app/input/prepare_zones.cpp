@@ -275,21 +275,33 @@ std::optional<Raster> prepare_forest(const SceneReading& reading, const TerrainI
     });
 }
 
-Sentence class_text(const std::vector<double>& limits, std::size_t at, const std::string& unit) {
-    if (limits.empty()) return worded("all");
+namespace {
+
+/// "5 000 – 25 000 m³"
+std::string limits_text(const std::vector<double>& limits, std::size_t at, const std::string& unit) {
     const auto limit = [&](std::size_t which) { return grouped(limits[which]); };
-    return numeral((at == 0               ? "< " + limit(0)
-                    : at == limits.size() ? "≥ " + limit(at - 1)
-                                          : limit(at - 1) + " – " + limit(at)) +
-                   " " + unit);
+    return (at == 0               ? "< " + limit(0)
+            : at == limits.size() ? "≥ " + limit(at - 1)
+                                  : limit(at - 1) + " – " + limit(at)) +
+           " " + unit;
+}
+
+}  // namespace
+
+Sentence class_text(const std::vector<double>& limits, std::size_t at, const std::string& unit) {
+    return limits.empty() ? Sentence(worded("all")) : numeral(limits_text(limits, at, unit));
 }
 
 Sentence friction_text(const FrictionChoice& choice) {
     const FrictionTable& table = choice.table;
+    const auto close = choice.close_class();
     return worded(
         "{1}, {2} years, {3} m³ (class {4}); source {5}; {6}",
         {table.called.c_str(), numeral(shortest_text(table.periods[choice.period])), numeral(grouped(choice.volume)),
-         class_text(table.volumes, choice.volume_class(), "m³"), table.named_source,
+         close ? numeral(limits_text(table.volumes, choice.volume_class(), "m³") +
+                         "; ± 5 %: " + limits_text(table.volumes, *close, "m³"))
+               : class_text(table.volumes, choice.volume_class(), "m³"),
+         table.named_source,
          table.is_source_read() ? worded("read at {1}", {table.read_at}) : Sentence(worded("not read"))});
 }
 

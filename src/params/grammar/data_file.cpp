@@ -116,6 +116,11 @@ std::optional<std::string> data_file_of(const std::string& value, const std::str
     const std::vector<std::string> names = data_names(share, of);
     if (std::find(names.begin(), names.end(), value) != names.end())
         return (fs::path(share) / of.folder / (value + ".ini")).string();
+    // A table of earlier versions, named after a program whose classes of terrain are others.
+    if (value == "ramms-avalanche")
+        return problems.add({"is no longer a friction table", where, value, "",
+                             "Use ngi-avalanche: the same values, by curvature; RAMMS also takes the slope"}),
+               std::nullopt;
     problems.add(
         {std::string("is not a ") + of.what, where, value, joined(names, ", ") + ", or a file FILE.ini", of.lists});
     return std::nullopt;

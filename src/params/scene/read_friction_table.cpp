@@ -70,9 +70,13 @@ class TableReader : DataFile {
             FrictionTable::Terrain& kind = table.terrain.emplace_back();
             kind.name = named(section + ".name", table.texts);
             if (numbers.size() == 1) continue;  // all terrain
+            if (const auto text = i == 0 ? taken(section + ".slope-below") : std::nullopt) {
+                kind.slope_below = number(section + ".slope-below", *text, {0.1, 90});
+                continue;
+            }
             const std::string key = section + ".curvature", text = required(key);
             kind.curvature = number(key, text, {-10, 10});
-            if (i > 0 && !(kind.curvature > table.terrain[i - 1].curvature))
+            if (i > 0 && !table.terrain[i - 1].slope_below && !(kind.curvature > table.terrain[i - 1].curvature))
                 refuse("is not greater than that of the class before", key, text,
                        "greater than " + shortest_text(table.terrain[i - 1].curvature), "Sort them by curvature");
         }

@@ -121,7 +121,7 @@ TEST_F(Command, ParamsAndMaterials) {
 TEST_F(Command, SchemesListsFrictionTablesAndChecksAFileOfOnesOwn) {
     const Outcome listed = frana({"schemes", "--friction"});
     ASSERT_EQ(listed.exit_code, 0) << listed.err;
-    for (const std::string line : {"ramms-avalanche\n  RAMMS Avalanche", "events of 10, 30, 100, 300 years",
+    for (const std::string line : {"ngi-avalanche\n  NGI, Voellmy friction", "events of 10, 30, 100, 300 years",
                                    "\n  Limits of altitude: 1 000, 1 500 m\n", "\n  4  Gully: curvature 0.05 1/m\n"})
         EXPECT_NE(listed.out.find(line), std::string::npos) << line << " in\n" << listed.out;
     write("own.ini", own_friction_table(0.2));

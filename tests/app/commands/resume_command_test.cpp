@@ -97,7 +97,7 @@ TEST_F(Killed, AtAnyMomentTheStructuredModelEndsInTheSameBits) {
 }
 
 TEST_F(Killed, AtAnyMomentWithAFrictionTableItEndsInTheSameBits) {
-    kill_and_resume(kills(), {"--set", "material.friction-table=ramms-avalanche", "--set", "material.return-period=300",
+    kill_and_resume(kills(), {"--set", "material.friction-table=ngi-avalanche", "--set", "material.return-period=300",
                               "--set", "material.table-friction-factor=0.5"});
 }
 

@@ -137,7 +137,7 @@ TEST_F(Site, AFrictionTableGivesEveryCellItsFriction) {
         return 1600 - 0.5 * (static_cast<double>(column) + 0.5) * k_cell + 0.005 * from_axis(row) * from_axis(row);
     };
     write_dtm([&](int row, int column) { return elevation(row, column); });
-    const std::vector<std::string> table{"material.friction-table=ramms-avalanche", "material.return-period=300"};
+    const std::vector<std::string> table{"material.friction-table=ngi-avalanche", "material.return-period=300"};
     run_with("", "out", table);
     const Raster mu = result("mu"), xi = result("xi");
     // Up to 5000 m3, 300 years: open slope and channel, from 1000 to 1500 m and above.
@@ -154,7 +154,7 @@ TEST_F(Site, AFrictionTableGivesEveryCellItsFriction) {
         }
     EXPECT_NEAR(mu.at(0, 20), 0.26, 1e-6) << "no curvature at the edge: flat, above 1500 m";
     const std::string log = read_text(path("out/log.txt"));
-    EXPECT_NE(log.find("300 years, 4 000 m³ (class < 5 000 m³); source SLF"), std::string::npos) << log;
+    EXPECT_NE(log.find("300 years, 4 000 m³ (class < 5 000 m³); source NGI"), std::string::npos) << log;
     const Json told = parse_json(read_text(path("out/summary.json")))["friction_table"];
     EXPECT_EQ(told["source_read"], true);
     EXPECT_EQ(told["curvature_spacing_m"], 10);
@@ -166,7 +166,7 @@ TEST_F(Site, AFrictionTableGivesEveryCellItsFriction) {
     for (const Json& file : inputs)
         if (file["key"] == "material.friction-table")
             recorded = file["place"].get<std::string>() + file["xxh128"].get<std::string>();
-    EXPECT_NE(recorded.find("friction/ramms-avalanche.ini"), std::string::npos) << recorded;
+    EXPECT_NE(recorded.find("friction/ngi-avalanche.ini"), std::string::npos) << recorded;
     double area = 0;
     for (const Json& one : told["areas"]) area += one["area_m2"].get<double>();
     EXPECT_NEAR(area, summary("covered_area_m2"), 1e-6);
@@ -179,6 +179,26 @@ TEST_F(Site, AFrictionTableGivesEveryCellItsFriction) {
     EXPECT_GT(summary("horizontal_m", "other"), summary("horizontal_m"));
 }
 
+// 27 degrees all the way: no 10 degree point. With gentle ground from 80 m on there is one.
+TEST_F(Site, AlphaBetaIsToldWhereThePathBecomesGentle) {
+    run_with("", "steep");
+    const Json steep = parse_json(read_text(path("steep/summary.json")))["runout"];
+    EXPECT_GT(steep["path_m"], 0);
+    EXPECT_FALSE(steep.contains("beta_deg")) << steep;
+    write_dtm([&](int, int column) {
+        const double x = (column + 0.5) * k_cell;
+        return 1000 - 0.5 * std::min(x, 80.0) - 0.05 * std::max(x - 80, 0.0);
+    });
+    run_with("report = on\n", "out", {"time.end=20", "material.friction-angle=5"});
+    const Json gentle = parse_json(read_text(path("out/summary.json")))["runout"];
+    const double beta = gentle["beta_deg"];
+    EXPECT_GT(beta, 15);
+    EXPECT_LT(beta, 30) << "the slope, and the thickness of what failed";
+    EXPECT_NEAR(gentle["alpha_beta_deg"], 0.96 * beta - 1.4, 1e-9);
+    EXPECT_EQ(gentle["alpha_beta_deviation_deg"], 2.3);
+    EXPECT_NE(read_text(path("out/report.html")).find("α (Lied, Bakkehøi 1980), β = "), std::string::npos);
+}
+
 // 4000 m3 released, and 1000 m3 each second: 5000, 25 000 and 60 000 m3 separate the classes. On cells of 8 m the
 // elevations for the curvature are 8 m apart, not 10.
 TEST_F(Site, InflowCountsForTheVolumeOfAFrictionTable) {
@@ -188,23 +208,27 @@ TEST_F(Site, InflowCountsForTheVolumeOfAFrictionTable) {
     const auto of = [&](double end, const std::string& more) {
         write_scene(more + k_numbers_only);
         const Checked checked = check({"time.end=" + std::to_string(end), "terrain.cell-size=8",
-                                       "material.friction-table=ramms-avalanche", "material.return-period=300"});
+                                       "material.friction-table=ngi-avalanche", "material.return-period=300"});
         EXPECT_FALSE(checked.is_refused()) << checked.told();
         return app::friction_json(*checked.prepared->friction, {});
     };
     EXPECT_NEAR(of(10, "")["volume_m3"], 4000, 1);
     const Json table = of(10, inflow);
     EXPECT_NEAR(table["volume_m3"], 14000, 1);
-    EXPECT_EQ(table["name"], "ramms-avalanche");
+    EXPECT_EQ(table["name"], "ngi-avalanche");
     EXPECT_EQ(table["volume_from_m3"], 5000);
     EXPECT_EQ(table["volume_to_m3"], 25000);
     EXPECT_EQ(table["curvature_spacing_m"], 8);
     EXPECT_NEAR(of(40, inflow)["volume_m3"], 44000, 1);
-    const Outcome shown = frana({"check", "scene.ini", "--set", "material.friction-table=ramms-avalanche", "--set",
+    const Outcome close = frana({"check", "scene.ini", "--set", "material.friction-table=ngi-avalanche", "--set",
+                                 "material.return-period=300", "--set", "material.table-volume=24500"});
+    EXPECT_NE(close.out.find("24 500 m³ (class 5 000 – 25 000 m³; ± 5 %: 25 000 – 60 000 m³)"), std::string::npos)
+        << close.out;
+    const Outcome shown = frana({"check", "scene.ini", "--set", "material.friction-table=ngi-avalanche", "--set",
                                  "material.return-period=300"});
-    EXPECT_NE(shown.out.find("RAMMS Avalanche"), std::string::npos) << shown.out;
+    EXPECT_NE(shown.out.find("NGI, Voellmy friction"), std::string::npos) << shown.out;
     EXPECT_NE(shown.out.find("(class 5 000 – 25 000 m³)"), std::string::npos) << shown.out;
-    EXPECT_NE(shown.out.find("ramms-avalanche.ini"), std::string::npos) << shown.out;
+    EXPECT_NE(shown.out.find("ngi-avalanche.ini"), std::string::npos) << shown.out;
     EXPECT_NE(shown.out.find("300 kg/m3, from: friction table"), std::string::npos) << shown.out;
     // What decides a number and was left alone is told, by a first reader's screen and by the report.
     write_scene(k_numbers_only + "report = on\n");

@@ -72,16 +72,16 @@ TEST_F(Languages, ChartsAndStylesAreInTheLanguageAndDataStayEnglish) {
 
 // What gave the friction stands on its maps and in the report, as does whether its source was read.
 TEST_F(Languages, AMapOfFrictionNamesItsTableAndItsSource) {
-    const std::vector<std::string> table{"material.friction-table=ramms-avalanche", "material.return-period=300",
+    const std::vector<std::string> table{"material.friction-table=ngi-avalanche", "material.return-period=300",
                                          "output.maps=mu,xi", "output.report=on", "material.altitude-limits=270, 1500"};
     run("language = de\n", table);
     for (const char* map : {"result/maps/mu.svg", "result/maps/xi.svg", "result/report.html"})
-        for (const char* text : {"RAMMS Avalanche, Voellmy", "RAMMS::AVALANCHE"})
+        for (const char* text : {"NGI, Voellmy", "RAMMS::AVALANCHE"})
             EXPECT_TRUE(has(map, text)) << map << ": " << text;
-    for (const char* text : {"Reibungskoeffizient an der Sohle", "Reibungstabelle: RAMMS", "Quelle: SLF"})
+    for (const char* text : {"Reibungskoeffizient an der Sohle", "Reibungstabelle: NGI", "Quelle: NGI"})
         EXPECT_TRUE(has("result/maps/mu.svg", text)) << text;
-    for (const char* text : {"(Klasse &lt; 5.000 m³)", "Flacher oder konvexer Hang", "gelesen unter github.com",
-                             "RAMMS Avalanche, Voellmy-Reibung von Lawinen", "μ und ξ springen bei Höhen von 270 m"})
+    for (const char* text : {"(Klasse &lt; 5.000 m³)", "Gleichmäßiger oder konvexer Hang", "gelesen unter github.com",
+                             "NGI, Voellmy-Reibung von Lawinen", "μ und ξ springen bei Höhen von 270 m"})
         EXPECT_TRUE(has("result/report.html", text)) << text;
     write("own.ini", own_friction_table(0.2));
     run("", {"material.friction-table=own.ini", "material.return-period=30", "output.maps=mu"});

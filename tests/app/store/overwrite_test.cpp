@@ -115,7 +115,7 @@ TEST_F(Overwrite, EveryFileOfAResultIsInItsManifestAndInTheTable) {
     run(k_voellmy + k_entrainment + k_every_output, "old");
     render_all();
     run(k_structured + k_every_output, "other");
-    run("[material]\nfriction-table = ramms-avalanche\nreturn-period = 100\n" + k_every_output, "table");
+    run("[material]\nfriction-table = ngi-avalanche\nreturn-period = 100\n" + k_every_output, "table");
     run(k_voellmy + k_numbers_only + "formats = geotiff, shp, kmz, dxf\n[hazard]\nscheme = austrian-torrent\n",
         "zones");
     make_studies(true);

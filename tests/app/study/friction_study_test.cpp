@@ -19,16 +19,16 @@ TEST_F(Ensemble, SaysWhoseFrictionAfterATableItShows) {
     const auto at = scene.find("friction-angle = "), end = scene.find("[time]", at);
     ASSERT_TRUE(at != std::string::npos && end != std::string::npos) << scene;
     write("scene.ini",
-          scene.substr(0, at) + "friction-table = ramms-avalanche\nreturn-period = 100\n" + scene.substr(end));
+          scene.substr(0, at) + "friction-table = ngi-avalanche\nreturn-period = 100\n" + scene.substr(end));
     write_study("samples = 4\n",
                 "[vary]\nmaterial.table-friction-factor = uniform(0.8, 1)\n"
                 "release.volume = uniform(3000, 4000)\nmaterial.density = uniform(1900, 2100)\n");
     const Outcome checked = frana({"check", "study.ini"});
-    EXPECT_NE(checked.out.find("central scene: RAMMS Avalanche"), std::string::npos) << checked.out;
+    EXPECT_NE(checked.out.find("central scene: NGI, Voellmy friction"), std::string::npos) << checked.out;
     const Outcome outcome = run();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const Json table = parse_json(read_text(path("out/summary.json")))["friction_table"];
-    EXPECT_EQ(table["name"], "ramms-avalanche");
+    EXPECT_EQ(table["name"], "ngi-avalanche");
     EXPECT_EQ(table["of"], "central scene");
     EXPECT_EQ(table["varied_by"], (Json{"material.table-friction-factor", "release.volume"}));
     EXPECT_NEAR(table["friction_factor"], 0.9, 1e-12);
@@ -47,8 +47,8 @@ TEST_F(Ensemble, SaysWhoseFrictionAfterATableItShows) {
     const std::string report = read_text(path("out/report.html"));
     EXPECT_NE(report.find("central scene"), std::string::npos);
     EXPECT_NE(report.find("Varied: table-friction-factor, volume"), std::string::npos);
-    EXPECT_NE(report.find("RAMMS Avalanche, Voellmy friction of avalanches, 100 years"), std::string::npos);
-    EXPECT_NE(read_text(path("out/inputs.json")).find("ramms-avalanche.ini"), std::string::npos);
+    EXPECT_NE(report.find("NGI, Voellmy friction of avalanches, 100 years"), std::string::npos);
+    EXPECT_NE(read_text(path("out/inputs.json")).find("ngi-avalanche.ini"), std::string::npos);
     // Refused before a member runs: 5.2 times 0.45 is more than 2.
     write_study("samples = 4\n", "[vary]\nmaterial.table-friction-factor = uniform(0.8, 5.2)\n");
     const Outcome refused = frana({"ensemble", "study.ini", "--out", "too_much", "--quiet"});

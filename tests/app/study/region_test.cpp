@@ -444,10 +444,10 @@ TEST_F(Region, AFrictionTableIsReadByTheReturnPeriodOfTheEvent) {
     write_slopes(three());
     const std::string plain =
         std::regex_replace(read_text(path("scene.ini")), std::regex("friction-angle = 18\nturbulence = 500"),
-                           "friction-table = ramms-avalanche");
+                           "friction-table = ngi-avalanche");
     write("own.ini", own_scheme("depth > ", "0.3 m", "0.8 m"));
     const auto write_with = [&](const std::string& period, const std::string& column) {
-        write("scene.ini", std::regex_replace(plain, std::regex("(ramms-avalanche)"), "$1\n" + period) +
+        write("scene.ini", std::regex_replace(plain, std::regex("(ngi-avalanche)"), "$1\n" + period) +
                                "[hazard]\nscheme = own.ini\n");
         write("region.ini",
               "[region]\nscene = scene.ini\nname = NAME\nscenario = SCENARIO\n"

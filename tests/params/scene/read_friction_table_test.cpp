@@ -14,13 +14,13 @@ namespace {
 FrictionTable ramms() {
     Problems problems;
     FrictionTable table =
-        read_friction_table(FRANA_SOURCE_SHARE "/friction/ramms-avalanche.ini", "ramms-avalanche", problems);
+        read_friction_table(FRANA_SOURCE_SHARE "/friction/ngi-avalanche.ini", "ngi-avalanche", problems);
     EXPECT_TRUE(problems.empty());
     return table;
 }
 
 // Values, k = 9.81 / xi and limits as in the file read (its head names it), in every corner of the table.
-TEST(FrictionTables, RammsAvalancheIsAsInItsSource) {
+TEST(FrictionTables, NgiAvalancheIsAsInItsSource) {
     const FrictionTable table = ramms();
     EXPECT_EQ(table.periods, (std::vector<double>{10, 30, 100, 300}));
     EXPECT_EQ(table.volumes, (std::vector<double>{5000, 25000, 60000}));
@@ -50,7 +50,7 @@ TEST(FrictionTables, RammsAvalancheIsAsInItsSource) {
 
 // In the table friction falls with volume, altitude and return period and rises into channels, but for what its note
 // says.
-TEST(FrictionTables, RammsAvalancheIsMonotonic) {
+TEST(FrictionTables, NgiAvalancheIsMonotonic) {
     const FrictionTable table = ramms();
     for (std::size_t t = 0; t < 4; ++t)
         for (std::size_t v = 0; v < 4; ++v)
@@ -117,6 +117,13 @@ TEST_F(OwnFrictionTable, IsRefusedWhereItIsWrong) {
     EXPECT_TRUE(has_problem(problems_of(k_head + "[class-1]\nname = A\ncurvature = 0.1\n" + row +
                                         "[class-2]\nname = B\ncurvature = 0.1\n" + row),
                             "class-2.curvature", "0.1", "greater than 0.1"));
+    const std::string gentle = k_head + "[class-1]\nname = A\nslope-below = ";
+    EXPECT_TRUE(problems_of(gentle + "10\n" + row + "[class-2]\nname = B\ncurvature = -1\n" + row).empty());
+    EXPECT_TRUE(has_problem(problems_of(gentle + "95\n" + row + "[class-2]\nname = B\ncurvature = 0\n" + row),
+                            "class-1.slope-below", "95", "0.1 to 90"));
+    EXPECT_TRUE(
+        has_problem(problems_of(gentle + "10\ncurvature = 0\n" + row + "[class-2]\nname = B\ncurvature = 0\n" + row),
+                    "class-1.curvature"));
     EXPECT_TRUE(has_problem(problems_of(k_head + one + "[forest]\nmore-friction = 0.02\n"), "forest.turbulence"));
     EXPECT_TRUE(has_problem(problems_of(k_head + "density = 2\n" + one), "table.density", "2", "10 to 10000"));
     EXPECT_TRUE(has_problem(problems_of(k_head + one + "colour = ffffff\n"), "class-1.colour"));
@@ -124,12 +131,14 @@ TEST_F(OwnFrictionTable, IsRefusedWhereItIsWrong) {
 }
 
 const std::string k_scene = "[terrain]\ndtm = dtm.tif\n[release]\nperimeter = area.shp\nthickness = 2\n[material]\n",
-                  k_table = k_scene + "friction-table = ramms-avalanche\n";
+                  k_table = k_scene + "friction-table = ngi-avalanche\n";
 
 TEST_F(OwnFrictionTable, KeysThatUseIt) {
     EXPECT_TRUE(problems(k_table + "return-period = 30\n").empty());
     EXPECT_TRUE(has_problem(problems(k_scene + "friction-table = rams\n"), "material.friction-table", "rams",
-                            "ramms-avalanche, or a file FILE.ini"));
+                            "ngi-avalanche, or a file FILE.ini"));
+    EXPECT_TRUE(has_problem(problems(k_scene + "friction-table = ramms-avalanche\n"), "material.friction-table",
+                            "ramms-avalanche"));
     EXPECT_TRUE(has_problem(problems(k_table), "material.return-period", "", "10, 30, 100, 300 years"));
     EXPECT_TRUE(has_problem(problems(k_table + "return-period = 150\n"), "material.return-period", "150",
                             "10, 30, 100, 300 years"));
@@ -138,7 +147,7 @@ TEST_F(OwnFrictionTable, KeysThatUseIt) {
     EXPECT_TRUE(has_problem(problems(k_table + "return-period = 30\nforest = wood.shp\n"), "material.forest"));
     EXPECT_TRUE(has_problem(problems(k_table + "return-period = 30\nturbulence = 1000\n"), "material.turbulence"));
     EXPECT_TRUE(has_problem(problems(k_table + "return-period = 30\nbed-friction = coulomb\n"),
-                            "material.friction-table", "ramms-avalanche"));
+                            "material.friction-table", "ngi-avalanche"));
     EXPECT_TRUE(has_problem(problems(k_least + "table-volume = 1000\n"), "material.table-volume"));
     EXPECT_TRUE(has_problem(problems(k_least + "table-friction-factor = 2\n"), "material.table-friction-factor", "2"));
     EXPECT_TRUE(problems(k_least + "table-friction-factor = 1\n").empty()) << "as the echo of every scene has it";
@@ -159,7 +168,7 @@ TEST_F(OwnFrictionTable, KeysThatUseIt) {
     EXPECT_FALSE(preset.scene.material.of<TurbulentFriction>().turbulence ||
                  preset.scene.material.of<CoulombFriction>().friction_coefficient ||
                  preset.scene.material.of<CoulombFriction>().friction_angle);
-    EXPECT_TRUE(problems(k_least, {"material.friction-table=ramms-avalanche", "material.return-period=30"}).empty());
+    EXPECT_TRUE(problems(k_least, {"material.friction-table=ngi-avalanche", "material.return-period=30"}).empty());
 }
 
 // The greatest mu of 30 years is 0.46, from 60 000 m3 on 0.33; the least and greatest xi are 900 and 4000.
