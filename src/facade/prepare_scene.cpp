@@ -201,7 +201,7 @@ std::optional<StructuredMaterial> structured_material(const Scene::Data& data, c
             problems.add({"gives a property of what the scene does not have", key, "", "",
                           "Set material.model = structured and structured.phases = solids-and-fluid"});
     if (!material) return material;
-    material->more_fluid = !scene.inflows.empty();
+    material->more_fluid = material->more_fluid || !scene.inflows.empty();
     if (material->solids) add_solids_by_place(data, spec, scene.release, scene.grid, *material, problems);
     add_initial_fluid(data, spec, scene.grid, *material, problems);
     if (!problems.empty()) return material;

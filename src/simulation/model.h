@@ -57,9 +57,10 @@ struct NodeState {
     double moved_x = 0, moved_y = 0;  ///< discharge per width by the velocities of the motion [m2/s]
 };
 
-/// Volumes eroded from and deposited on the bed so far [m3].
+/// Volumes that came from the bed and the sky and went into the bed so far [m3].
 struct BedBudget {
     double eroded = 0, deposited = 0;
+    double rained = 0, infiltrated = 0;
 };
 
 /// What a run steps and observes: a model without scenes, files and clocks. Each function is called once per step,

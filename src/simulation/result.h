@@ -245,8 +245,10 @@ struct RunResult {
     std::int64_t bytes_per_particle = 0, bytes_per_node = 0;       ///< of the engine's fields
     double engine_seconds = 0;                                     ///< wall time inside the engine, without on_frame
     double volume_initial = 0, volume_final = 0, volume_left = 0;  ///< [m3]
-    double volume_entered = 0;                                     ///< total: initial, released later, flowed in [m3]
+    double volume_entered = 0;                                     ///< total: initial, released later, flowed in, rain
     double volume_inflow = 0;                                      ///< of which flowed in through lines [m3]
+    double volume_rained = 0;                                      ///< of which fell as rain [m3]
+    double volume_infiltrated = 0;                                 ///< into the ground [m3]
     double volume_shown = 0;                                       ///< of the vertical depths of final_depth [m3]
     std::optional<PhaseBudget> phases;   ///< of solids and fluid in the structured model; none without solids
     std::vector<ReleasedArea> released;  ///< in the order of Scene::release

@@ -151,6 +151,8 @@ StartValues start_of(const Scene& scene, const Release& release, const Arrivals&
         });
         start.deepest += deepest;
     }
+    if (scene.structured && scene.structured->rain.falls())
+        scene.terrain.values.for_each_stored([&](std::size_t, double z) { start.ground(z); });
     // Areas smaller than a cell do not appear with their thickness in any cell.
     for (const ReleasedArea& area : release.areas)
         if (area.area > 0) start.deepest = std::max(start.deepest, area.volume / area.area);
@@ -212,7 +214,7 @@ double RunCheck::greatest_speed(double lowest) const noexcept {
 
 std::vector<RunProblem> RunCheck::check(const Model& model, const StepStatistics& statistics, double entered) const {
     const double speed = std::max(statistics.max_speed, statistics.fastest);
-    const double error = std::abs(statistics.volume + model.volume_left() - entered);
+    const double error = std::abs(statistics.volume + model.volume_left() + model.bed_budget().infiltrated - entered);
     std::vector<RunProblem> run_problems;
     const auto report = [&](Kind kind, std::int64_t count, double value, double limit) {
         RunProblem run_problem{kind, model.steps(), model.time(), {}, count, value, limit};

@@ -169,7 +169,8 @@ inline constexpr double k_left_ground = 1e-3;
 /// Fraction of the volume that left.
 double left_fraction(const RunResult& result) noexcept;
 inline bool left_ground(const RunResult& result) noexcept {
-    return left_fraction(result) > k_left_ground;
+    // Rain near the edges leaves on any ground.
+    return result.volume_rained == 0 && left_fraction(result) > k_left_ground;
 }
 
 /// Whether nobody knows the full reach of the flow: its front still moved at the end, it left the computed ground, came

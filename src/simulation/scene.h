@@ -17,7 +17,9 @@
 #include "core/raster.h"
 #include "core/words/warning.h"
 #include "params/keys/shared_values.h"
+#include "physics/infiltration_green_ampt.h"
 #include "physics/pore_pressure.h"
+#include "physics/rain.h"
 
 namespace frana {
 
@@ -28,6 +30,12 @@ struct SolidZone {
     Raster raster;
 };
 
+/// The same of the soil; where any is NaN the ground is tight.
+struct SoilZone {
+    double GreenAmpt::*value;
+    Raster raster;
+};
+
 /// Composition of a structured flow: blocks of solids with the fluid they confine, or fluid alone.
 struct StructuredMaterial : StructuredValues, SolidValues {
     bool solids = false;       ///< false: the release is fluid, and no parameter of solids is read
@@ -35,7 +43,10 @@ struct StructuredMaterial : StructuredValues, SolidValues {
     PoreValues pores;
     std::vector<SolidZone> zones;
     std::optional<Raster> initial_fluid;  ///< depth of free fluid at the start [m]; NaN: none
-    bool more_fluid = false;              ///< there is fluid besides the release: initial or inflow
+    bool more_fluid = false;              ///< there is fluid besides the release: initial, inflow or rain
+    Rain rain;
+    std::optional<GreenAmpt> soil;  ///< none: tight
+    std::vector<SoilZone> soil_zones;
 };
 
 /// Parameters that vary from place to place: rasters on the working grid. NaN: the uniform value of Material (and of

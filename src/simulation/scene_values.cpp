@@ -47,6 +47,12 @@ std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
     }
     m.sin_dilatancy = std::sin(s.dilatancy_angle * std::numbers::pi / 180);
     m.pores = spec.material.of<CoulombFriction>();
+    if (const double rain = constant(s.rain).value_or(0); rain > 0)
+        m.rain.points = {{0, rain / k_mm_per_hour}, {spec.time.end, rain / k_mm_per_hour}};
+    m.more_fluid = m.rain.falls();
+    if (s.soil_conductivity)
+        m.soil = GreenAmpt{constant(s.soil_conductivity).value_or(0) / k_mm_per_hour,
+                           constant(s.soil_suction).value_or(0), constant(s.soil_moisture_deficit).value_or(0)};
     return m;
 }
 

@@ -15,6 +15,8 @@
 
 namespace frana {
 
+inline constexpr double k_mm_per_hour = 3.6e6;  ///< in a metre per second
+
 /// Returns [structured], if that is the scene's model; without properties that vary from place to place.
 std::optional<StructuredMaterial> structured_of(const SceneSpec& spec);
 /// Sets what the keys give and no file: material, numerics, times, what is recorded.

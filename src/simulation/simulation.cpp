@@ -87,7 +87,8 @@ void Model::add_exchange(const ZeroArray<ErodibleBed>& beds, const ExchangeRepor
 double relative_volume_error(const RunResult& result) {
     const double entered = result.volume_entered + result.volume_eroded;
     if (entered == 0) return 0;
-    return std::abs(result.volume_final + result.volume_left + result.volume_deposited - entered) / entered;
+    const double gone = result.volume_deposited + result.volume_infiltrated;
+    return std::abs(result.volume_final + result.volume_left + gone - entered) / entered;
 }
 
 const char* describe(StopReason reason) {
@@ -133,6 +134,7 @@ RunEstimate estimate(const Scene& scene, int threads) {
     e.inflow = rest.inflow;
     std::int64_t released_cells = 0;
     release.depth.values.for_each_stored([&](std::size_t, double depth) { released_cells += depth > 0; });
+    if (scene.structured && scene.structured->rain.falls()) released_cells = 0;  // it reaches all
     const std::unique_ptr<Model> model = make_model(scene, release.bed, release.particles, threads);
     const std::size_t entering = !scene.structured ? arriving : scene.structured->solids ? rest.failed.size() : 0;
     e.particles = model->particle_count() + static_cast<std::int64_t>(entering);

@@ -157,9 +157,9 @@ SeriesRow series_row(const Model& model, const StepStatistics& statistics, const
     row.dt = statistics.dt;
     row.volume = statistics.volume;
     row.volume_left = model.volume_left();
-    row.volume_entered = so_far.volume_entered;
-    row.volume_inflow = so_far.volume_inflow;
     const BedBudget bed = model.bed_budget();
+    row.volume_entered = so_far.volume_entered + bed.rained;
+    row.volume_inflow = so_far.volume_inflow;
     row.volume_eroded = bed.eroded;
     row.volume_deposited = bed.deposited;
     row.max_depth = statistics.max_depth;
@@ -342,15 +342,17 @@ void SteppedRun::count(const StepStatistics& statistics) {
     // The step that ends a run with values that are no numbers has no row: whoever reads the file would refuse it.
     if (const SeriesRow row = series_row(*model_, statistics, result_); std::isfinite(row.volume + row.kinetic_energy))
         result_.series.push_back(row);
-    result_.thin_fraction = std::max(result_.thin_fraction, statistics.thin_fraction);
+    const BedBudget bed = model_->bed_budget();
+    // Rain is a film wherever it falls.
+    if (bed.rained == 0) result_.thin_fraction = std::max(result_.thin_fraction, statistics.thin_fraction);
     if (statistics.volume > 0)
         result_.moving_fraction_limit =
             std::min(1.0, statistics.moving / statistics.volume);  // some may have just left
     result_.particles_peak = std::max(result_.particles_peak, model_->particle_count());
     result_.hard_events.depth_clamped += statistics.clamped;
     result_.unsupported += statistics.unsupported;
-    const BedBudget bed = model_->bed_budget();
-    result_.run_problems = watch_.check(*model_, statistics, result_.volume_entered + bed.eroded - bed.deposited);
+    result_.run_problems =
+        watch_.check(*model_, statistics, result_.volume_entered + bed.rained + bed.eroded - bed.deposited);
     energy_.add(statistics);
     for (const RunProblem& run_problem : result_.run_problems) {
         add(run_problem, result_.hard_events);
@@ -360,10 +362,12 @@ void SteppedRun::count(const StepStatistics& statistics) {
 
 std::optional<StopReason> SteppedRun::reason_to_stop(const StepStatistics& statistics) {
     if (!result_.run_problems.empty()) return reason_of(result_.run_problems.front());
-    if (arrivals_.done()) {
+    const bool rains = scene_.structured && model_->time() < scene_.structured->rain.end();
+    if (rains) settling_.restart(model_->time());
+    if (arrivals_.done() && !rains) {
         if (model_->empty()) return StopReason::all_left;
         if (scene_.time.stop_when_still && still_.still(statistics)) return StopReason::still;
-        const double all = result_.volume_entered + model_->bed_budget().eroded;
+        const double all = result_.volume_entered + model_->bed_budget().rained + model_->bed_budget().eroded;
         if (settling_.settled(*model_, statistics.kinetic, all) && result_.moving_fraction_limit <= k_creeping_volume)
             return StopReason::settled;
         if (scene_.time.stop_momentum > 0 && fade_.momentum(model_->momentum())) return StopReason::momentum;
@@ -467,9 +471,13 @@ RunResult SteppedRun::finish() {
     result.bytes_per_node = static_cast<std::int64_t>(model_->bytes_per_node());
     result.volume_final = model_->volume();
     result.volume_left = model_->volume_left();
+    result.volume_rained = model_->bed_budget().rained;
+    result.volume_infiltrated = model_->bed_budget().infiltrated;
+    result.volume_entered += result.volume_rained;
     if (!arrivals_.done())
         result.notes.emplace_back("the run ended before all release areas had failed or all inflow had entered");
-    if (finite) result.energy_line = energy_line_excess(result, scene_, model_->pressure_factor());
+    if (finite && result.volume_rained == 0)
+        result.energy_line = energy_line_excess(result, scene_, model_->pressure_factor());
     const Warnings of_model = std::exchange(result.warnings, run_warnings(result, scene_));
     (result.warnings += of_model) += scene_.warnings;
     engine_.stop();

@@ -66,6 +66,7 @@ StructuredFlow::StructuredFlow(const Ground& ground, const std::optional<Raster>
       tiles_(tiles_on(state_.grid)),
       maxima_(state_.grid.bed.size()),
       pressure_(state_.grid.bed.size()) {
+    lay_soil();
     receive(released, true);
     receive_lying();
     structured::prepare(state_, laws_, pool_);
@@ -113,6 +114,23 @@ void StructuredFlow::receive_lying() {
     });
     for (const FluidSource& source : sources) entered_.free += source.depth * grid_.cell_area();
     take(sources);
+}
+
+// The soil under the fluid, by cell where any of its values is.
+void StructuredFlow::lay_soil() {
+    if (!material_.soil || !state_.fluid) return;
+    structured::FluidState& fluid = *state_.fluid;
+    fluid.infiltrated = ZeroArray<double>(state_.grid.size());
+    fluid.soil = *material_.soil;
+    if (material_.soil_zones.empty()) return;
+    fluid.soils = ZeroArray<GreenAmpt>(state_.grid.size());
+    for (std::int64_t row = 0; row < grid_.rows; ++row)
+        for (std::int64_t column = 0; column < grid_.columns; ++column) {
+            GreenAmpt here = *material_.soil;
+            for (const SoilZone& zone : material_.soil_zones) here.*zone.value = zone.raster.at(row, column);
+            const bool is_tight = std::isnan(here.conductivity + here.suction + here.deficit);
+            fluid.soils[state_.grid.index(column, grid_.rows - 1 - row)] = is_tight ? GreenAmpt{} : here;
+        }
 }
 
 // Adds particles' fluid: of released columns the fraction that is free from the start, else all.
@@ -194,6 +212,11 @@ double StructuredFlow::volume_left() const noexcept {
     return fluid + solid + state_.released_outside;
 }
 
+BedBudget StructuredFlow::bed_budget() const noexcept {
+    if (!state_.fluid) return {};
+    return {0, 0, state_.fluid->volume_rained(), state_.fluid->volume_infiltrated};
+}
+
 void StructuredFlow::add_to(RunResult& result) const {
     warn_of_walls(state_.walls, "material.model = voellmy-bingham, numerics.scheme = finite-volume", result);
     result.phases = phase_budget();
@@ -215,7 +238,8 @@ std::optional<PhaseBudget> StructuredFlow::phase_budget() const {
     if (budget.inside.solids > 0) budget.cohesion_left /= budget.inside.solids;
     if (!state_.fluid) return budget;
     budget.inside.free = structured::fluid_volume(*state_.fluid);
-    budget.left.free += state_.fluid->now.volume_left;
+    budget.left.free += state_.fluid->now.volume_left + state_.fluid->volume_infiltrated;
+    budget.entered.free += state_.fluid->volume_rained();
     double weight = 0, sum = 0;
     for_each_active_node([&](std::size_t cell) {
         const double h = fluid_depth(cell), least = numerics_.minimum_depth;
@@ -242,7 +266,12 @@ std::size_t StructuredFlow::bytes_per_node() const noexcept {
     constexpr std::size_t k_fluid_values = 21;                 // of finite_volume::State
     constexpr std::size_t k_solid_values = 7;                  // fields of the solids that act on the fluid
     std::size_t bytes = 2 * sizeof(double) + Maxima::k_bytes;  // bed and pressure, and the maxima
-    if (state_.fluid) bytes += k_fluid_values * sizeof(double);
+    if (state_.fluid) {
+        const structured::FluidState& fluid = *state_.fluid;
+        bytes += k_fluid_values * sizeof(double) + (fluid.infiltrated.size() != 0 ? sizeof(double) : 0) +
+                 (fluid.soils.size() != 0 ? sizeof(GreenAmpt) : 0) +
+                 (fluid.now.bed_states.size() != 0 ? sizeof(BedState) + sizeof(NodeRecord) : 0);
+    }
     if (state_.solid)
         bytes += sizeof(structured::SolidSums) + sizeof(structured::NodePush) + k_solid_values * sizeof(double) +
                  (state_.fluid ? sizeof(structured::CouplingSums) + 2 * sizeof(double) : 0);
@@ -451,6 +480,8 @@ std::vector<NamedRaster> StructuredFlow::more_rasters() const {
     if (state_.fluid)
         add("fluid_velocity",
             raster_of([&](std::size_t cell) { return fluid_depth(cell) >= least ? fluid_speed(cell) : k_no_data; }));
+    if (state_.fluid && state_.fluid->infiltrated.size() > 0)
+        add("infiltrated_depth", to_raster(state_.fluid->infiltrated));
     if (!state_.solid) return rasters;
     const structured::SolidNodes& nodes = state_.solid->nodes;
     const auto solid_depth = [&](std::size_t cell) { return nodes.sums[cell].solids / grid_.cell_area(); };

@@ -45,6 +45,7 @@ class StructuredFlow final : public Model {
     /// Solids and all fluid inside [m3].
     [[nodiscard]] double volume() const override;
     [[nodiscard]] double volume_left() const noexcept override;
+    [[nodiscard]] BedBudget bed_budget() const noexcept override;
     /// Budget of solids and fluid; none for a scene without solids.
     [[nodiscard]] std::optional<PhaseBudget> phase_budget() const;
     /// Solids and fluid together; of fluid if only fluid entered.
@@ -120,6 +121,7 @@ class StructuredFlow final : public Model {
     [[nodiscard]] double dynamic_pressure(std::size_t cell, double fluid, double solid) const;
     void receive(const ParticleSet& particles, bool columns);
     void receive_lying();
+    void lay_soil();
     void take(const std::vector<structured::FluidSource>& sources);
     StepStatistics observe();
 

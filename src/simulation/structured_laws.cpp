@@ -22,6 +22,8 @@ structured::FluidLaws fluid_laws(const StructuredMaterial& m, const Numerics& nu
     laws.manning_on_total = m.manning_on_total;
     laws.density = m.fluid_density;
     laws.viscosity = m.fluid_viscosity;
+    laws.rain = m.rain;
+    laws.manning_in_sweeps = m.rain.falls() && m.manning > 0 && m.fluid_viscosity == 0;
     return laws;
 }
 

@@ -77,11 +77,13 @@ void add_solids(const StructuredMaterial& m, bool fluid, Terms& terms) {
 
 Terms structured_terms(const Scene& scene) {
     const StructuredMaterial& m = *scene.structured;
-    const bool fluid = !m.solids || m.solid_fraction < 1;
+    const bool fluid = !m.solids || m.solid_fraction < 1 || m.rain.falls();
     Terms terms{"hydrostatic pressure", "bed slope"};
     if (slope_correction(scene.numerics) != SlopeCorrection::none) terms.emplace_back("slope correction: normal");
     if (m.solids) add_solids(m, fluid, terms);
     if (!fluid) return terms;
+    if (m.rain.falls()) terms.emplace_back("rain");
+    if (m.soil) terms.emplace_back("Green-Ampt infiltration");
     if (m.manning > 0) terms.push_back(find_law(LawKind::bed_friction, ManningFriction::word).sentence);
     if (m.fluid_viscosity > 0) {
         terms.push_back(find_law(LawKind::in_plane_stress, BinghamStress::word).sentence);

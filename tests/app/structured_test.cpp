@@ -156,6 +156,42 @@ TEST_F(StructuredScene, AddsLaterReleasesAndInflow) {
     EXPECT_LT(summary_number("result", "relative_error"), 1e-12);
 }
 
+// Rain of 5 mm in 10 s on 300 m x 150 m, into a soil that takes some of it: all of it is found again, and none after
+// its end.
+TEST_F(StructuredScene, RainFallsAndInfiltrates) {
+    write("rain.csv", "time,depth_mm\n0,0\n5,2\n10,5\n");
+    write_fluid(k_numbers_only +
+                "[structured]\nrain = table:rain.csv\nsoil-conductivity = 400\nsoil-suction = 0.05\n"
+                "soil-moisture-deficit = 0.3\n");
+    const Outcome check = frana({"check", "scene.ini"});
+    EXPECT_NE(check.out.find("5 mm until the end"), std::string::npos) << check.out << check.err;
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const double rain = summary_number("result", "rain_m3"), infiltrated = summary_number("result", "infiltrated_m3");
+    EXPECT_NEAR(rain, 0.005 * 300 * 150, 1e-9);
+    EXPECT_NEAR(summary_number("result", "entered_m3"), 4000 + rain, 1e-6);
+    EXPECT_NEAR(summary_number("result", "final_m3") + summary_number("result", "left_domain_m3") + infiltrated,
+                4000 + rain, 1e-12 * rain);
+    const std::string summary = read_text(path("result/summary.json"));
+    for (const std::string words : {"rain", "Green-Ampt infiltration"})
+        EXPECT_TRUE(json_lists(summary, "terms", words)) << words;
+    // Under the release the head of 2 m drives in more than under rain alone.
+    const Raster depth = gis::read_result_raster(path("result/infiltrated_depth.tif"));
+    double volume = 0, most = 0;
+    for (const double d : depth.values) volume += std::isnan(d) ? 0 : d * k_cell * k_cell;
+    for (const double d : depth.values) most = std::fmax(most, d);
+    EXPECT_NEAR(volume, infiltrated, 1e-6 * infiltrated);  // of Float32
+    EXPECT_GT(most, 0.02);
+    // By place: only where the polygon is, which is the release's.
+    const Outcome placed = frana({"run", "scene.ini", "--out", "placed", "--quiet", "--set",
+                                  "structured.soil-conductivity=attribute:depth", "--set", "structured.rain=36"});
+    ASSERT_EQ(placed.exit_code, 0) << placed.err;
+    EXPECT_NEAR(summary_number("placed", "rain_m3"), 0.01 * 20 / 1000 * 300 * 150, 1e-9);
+    const Raster part = gis::read_result_raster(path("placed/infiltrated_depth.tif"));
+    EXPECT_EQ(std::count_if(part.values.begin(), part.values.end(), [](double d) { return d > 0; }), 10 * 8);
+    EXPECT_LT(summary_number("placed", "relative_error"), 1e-12);
+}
+
 TEST_F(StructuredScene, RecordsSections) {
     write("section.geojson",
           R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"

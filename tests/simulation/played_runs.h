@@ -155,6 +155,19 @@ inline Scene fluid() {
     return scene;
 }
 
+// Rain that ends, on a soil by place.
+inline Scene raining() {
+    Scene scene = fluid();
+    StructuredMaterial& material = *scene.structured;
+    material.fluid_viscosity = 0;
+    material.rain.points = {{0, 1e-4}, {2, 3e-4}};
+    material.soil = GreenAmpt{1e-4, 0.1, 0.3};
+    Raster conductivity(scene.grid, 2e-4);
+    for (std::int64_t row = 0; row < scene.grid.rows; ++row) conductivity.at(row, 3) = k_no_data;
+    material.soil_zones.push_back({&GreenAmpt::conductivity, conductivity});
+    return scene;
+}
+
 // Blocks that break and release their fluid, until some leave through the edge.
 inline Scene breaking() {
     Scene scene = hillside();

@@ -270,6 +270,8 @@ void print_run(const Prepared& prepared, const RunEstimate& expected, const std:
     if (prepared.friction) print_fact("friction", friction_text(prepared.friction->choice()).text());
     print_defaults(prepared);
     if (expected.inflow > 0) print_fact("flows in", grouped(expected.inflow) + " m3 until the end");
+    if (const auto& fluid = prepared.scene.structured; fluid && fluid->rain.falls())
+        print_fact("rain", number_text(1000 * fluid->rain.depth_by(prepared.scene.time.end), 4) + " mm until the end");
     print_fact("DTM", prepared.scene.terrain_contains_release ? "contains the release: the bed lies under it"
                                                               : "is the bed: the release lies on top of it");
     if (prepared.release.ground) print_fact("release", ground_sentence(*prepared.release.ground).text());

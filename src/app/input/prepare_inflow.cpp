@@ -37,7 +37,15 @@ const std::map<std::string, std::map<std::string, double>> k_units{
     {"discharge", {{"m3s", 1}, {"cumecs", 1}, {"ls", 1e-3}}},
     {"volume", {{"m3", 1}}},
     {"velocity", {{"ms", 1}, {"kmh", 1 / 3.6}}},
+    {"rain", {{"mmh", 1}, {"ms", k_mm_per_hour}}},
+    {"depth", {{"mm", 1}, {"m", 1000}}},
 };
+
+/// What a table over time gives: a rate, or its sum since the start.
+struct TableQuantity {
+    const char *table, *rate, *sum, *unit;  ///< the unit of the sum
+};
+constexpr TableQuantity k_flow{"hydrograph", "discharge", "volume", "m3"}, k_rain{"rain", "rain", "depth", "mm"};
 
 std::string letters_of(const std::string& unit) {
     std::string letters;
@@ -50,8 +58,8 @@ std::string letters_of(const std::string& unit) {
 }
 
 /// Returns the index of a column: its name alone, or followed by a unit.
-std::optional<Column> column_of(const gis::Table& table, const std::string& name, const std::string& place,
-                                Problems& problems) {
+std::optional<Column> column_of(const gis::Table& table, const TableQuantity& of, const std::string& name,
+                                const std::string& place, Problems& problems) {
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         std::string head = trimmed(table.columns[i]);
         std::transform(head.begin(), head.end(), head.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -63,8 +71,8 @@ std::optional<Column> column_of(const gis::Table& table, const std::string& name
         if (!unit.empty() && found == known.end()) {
             std::string units;
             for (const auto& [one, factor] : known) units += (units.empty() ? "" : ", ") + name + "_" + one;
-            problems.add({"the hydrograph's column has an unknown unit", place, table.columns[i], units,
-                          "Convert the values, and name their unit or none"});
+            problems.add({std::string("the ") + of.table + "'s column has an unknown unit", place, table.columns[i],
+                          units, "Convert the values, and name their unit or none"});
         }
         return Column{i, unit.empty() || found == known.end() ? 1 : found->second, !unit.empty()};
     }
@@ -81,22 +89,23 @@ struct Columns {
     bool cumulative = false;
 };
 
-Columns columns_of(const gis::Table& table, const std::string& place) {
+Columns columns_of(const gis::Table& table, const TableQuantity& of, const std::string& place) {
     Problems problems;
-    const auto find = [&](const char* name) { return column_of(table, name, place, problems); };
-    const auto time = find("time"), discharge = find("discharge"), volume = find("volume"), speed = find("velocity");
-    const std::string names = joined(table.columns, ", ");
-    if (!time) problems.add({"the hydrograph has no column time", place, names, "", "Name the columns in line 1"});
-    if (!discharge && !volume)
-        problems.add({"the hydrograph has neither a column discharge nor volume", place, names, "",
-                      "Name the columns in line 1"});
-    if (discharge && volume)
-        problems.add({"the hydrograph has a discharge and a volume", place, names, "", "Keep one of the two"});
+    const auto find = [&](const char* name) { return column_of(table, of, name, place, problems); };
+    const auto time = find("time"), rate = find(of.rate), sum = find(of.sum), speed = find("velocity");
+    const std::string names = joined(table.columns, ", "), what = std::string("the ") + of.table + " has ",
+                      remedy = "Name the columns in line 1";
+    if (!time) problems.add({what + "no column time", place, names, "", remedy});
+    if (!rate && !sum)
+        problems.add({what + "neither a column " + of.rate + " nor " + of.sum, place, names, "", remedy});
+    if (rate && sum)
+        problems.add({what + "a " + of.rate + " and a " + of.sum, place, names, "", "Keep one of the two"});
     problems.throw_if_any();
-    return {*time, discharge ? *discharge : *volume, speed, volume.has_value()};
+    return {*time, rate ? *rate : *sum, speed, sum.has_value()};
 }
 
-std::vector<Row> rows_of(const gis::Table& table, const Columns& columns, const std::string& place) {
+std::vector<Row> rows_of(const gis::Table& table, const Columns& columns, const TableQuantity& of,
+                         const std::string& place) {
     Problems problems;
     std::vector<Row> rows;
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
@@ -118,9 +127,9 @@ std::vector<Row> rows_of(const gis::Table& table, const Columns& columns, const 
             problems.add({line + ": the times do not rise", place, shortest_text(row.time) + " s",
                           "after " + shortest_text(rows.back().time) + " s", "Sort the rows by time"});
         if (!rows.empty() && columns.cumulative && row.amount < rows.back().amount)
-            problems.add({line + ": the volume falls", place, shortest_text(row.amount) + " m3",
-                          "at least " + shortest_text(rows.back().amount) + " m3",
-                          "Give the volume since the start, or name the column discharge"});
+            problems.add({line + ": the " + of.sum + " falls", place, shortest_text(row.amount) + " " + of.unit,
+                          "at least " + shortest_text(rows.back().amount) + " " + of.unit,
+                          std::string("Give the ") + of.sum + " since the start, or name the column " + of.rate});
         rows.push_back(row);
     }
     problems.throw_if_any();
@@ -147,8 +156,8 @@ std::string hydrograph_file(const SceneReading& reading, const gis::Feature& fea
 Hydrograph read_hydrograph(const std::string& file, const Place& where, double gravity, double line_length) {
     const std::string place = where + ": " + file;
     const gis::Table table = gis::read_table(file, where);
-    const Columns columns = columns_of(table, place);
-    const std::vector<Row> rows = rows_of(table, columns, place);
+    const Columns columns = columns_of(table, k_flow, place);
+    const std::vector<Row> rows = rows_of(table, columns, k_flow, place);
     Hydrograph hydrograph{{},
                           columns.time.is_named,
                           columns.cumulative || columns.amount.is_named,
@@ -169,6 +178,38 @@ Hydrograph read_hydrograph(const std::string& file, const Place& where, double g
     check_hydrograph(points, place, problems);
     problems.throw_if_any();
     return hydrograph;
+}
+
+Rain read_rain(const std::string& file, const Place& where) {
+    const std::string place = where + ": " + file;
+    const gis::Table table = gis::read_table(file, where);
+    const Columns columns = columns_of(table, k_rain, place);
+    const std::vector<Row> rows = rows_of(table, columns, k_rain, place);
+    constexpr double k_most = 2500;  // [mm/h], as of structured.rain
+    Rain rain;
+    double heaviest = 0;
+    const auto add = [&](double time, double rate) {
+        heaviest = std::max(heaviest, rate);
+        rain.points.push_back({time, rate / k_mm_per_hour});
+    };
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (!columns.cumulative) {
+            add(rows[i].time, rows[i].amount);
+        } else if (i > 0) {  // constant between two readings
+            const double rate = 3600 * (rows[i].amount - rows[i - 1].amount) / (rows[i].time - rows[i - 1].time);
+            add(rows[i - 1].time, rate);
+            add(rows[i].time, rate);
+        }
+    }
+    const PlausibleRange& range = *plausible_range("structured.rain");
+    if (heaviest == 0 || !range.has(heaviest) || heaviest > k_most)
+        throw Error(ErrorKind::input,
+                    Problem{"the heaviest rain is not plausible", place, shortest_text(heaviest) + " mm/h",
+                            shortest_text(range.least) + " to " + shortest_text(k_most) + " mm/h",
+                            heaviest > 0 && heaviest < range.least
+                                ? range.meant(heaviest).text()
+                                : "Correct the column, or name its unit: rain_mm/h, depth_mm"});
+    return rain;
 }
 
 namespace {

@@ -26,4 +26,8 @@ struct Hydrograph {
 /// times that do not rise, a negative discharge or a decreasing volume, a discharge with speed zero.
 Hydrograph read_hydrograph(const std::string& file, const Place& where, double gravity, double line_length);
 
+/// Reads rain from a CSV with the columns time and rain [mm/h], linear between its rows, or depth [mm], fallen since
+/// the start; with units as a hydrograph. Throws Error(input): as read_hydrograph, and for rain that is not plausible.
+Rain read_rain(const std::string& file, const Place& where);
+
 }  // namespace frana::app

@@ -9,6 +9,7 @@
 #include "app/input/check_inputs.h"
 #include "app/input/layer_values.h"
 #include "app/input/on_demand.h"
+#include "app/input/prepare_inflow.h"
 #include "app/input/prepare_release.h"
 #include "app/input/prepare_zones.h"
 #include "app/input/used_file.h"
@@ -62,13 +63,18 @@ void check_structured_values(const SceneReading& reading, const StructuredMateri
 struct Property {
     std::string key;
     const std::optional<SourceSpec>* source;
-    double SolidValues::*value = nullptr;  ///< null: the depth of fluid
+    double SolidValues::*value = nullptr;  ///< null: the soil's, or the depth of fluid
     bool degrees = false;                  ///< an angle, stored as its tangent
+    double GreenAmpt::*soil = nullptr;
     std::optional<Raster> raster = {};
 };
 
 std::vector<Property> properties(const StructuredSpec& spec, bool solids) {
-    std::vector<Property> list{{"structured.initial-fluid-depth", &spec.initial_fluid_depth}};
+    std::vector<Property> list{
+        {"structured.initial-fluid-depth", &spec.initial_fluid_depth},
+        {"structured.soil-conductivity", &spec.soil_conductivity, nullptr, false, &GreenAmpt::conductivity},
+        {"structured.soil-suction", &spec.soil_suction, nullptr, false, &GreenAmpt::suction},
+        {"structured.soil-moisture-deficit", &spec.soil_moisture_deficit, nullptr, false, &GreenAmpt::deficit}};
     if (!solids) return list;
     for (const SolidKey& key : solid_keys()) {
         const SolidKey& used = key.in_use(spec);
@@ -230,11 +236,23 @@ std::optional<StructuredMaterial> prepare_structured(const SceneReading& reading
                 property.raster = property_raster(reading, ground, released, property, files, log, problems);
         });
     }
+    if (spec.rain && spec.rain->kind == SourceSpec::Kind::table)
+        attempt(problems, [&] {
+            material->rain = read_rain(spec.rain->name, reading.where("structured.rain"));
+            files.push_back(used_rain(spec.rain->name, material->rain));
+            material->more_fluid = true;
+        });
     if (material->solids && release.solid_fraction)
         material->zones.push_back({&SolidValues::solid_fraction, *release.solid_fraction});
     if (ground == nullptr) return material;
     for (Property& property : list) {
         if (!property.raster) continue;
+        if (property.soil != nullptr) {
+            if (property.soil == &GreenAmpt::conductivity)
+                property.raster->values.change_each_stored([](std::size_t, double& k) { k /= k_mm_per_hour; });
+            material->soil_zones.push_back({property.soil, std::move(*property.raster)});
+            continue;
+        }
         if (property.value == nullptr) {
             material->initial_fluid = std::move(property.raster);
             continue;

@@ -187,9 +187,14 @@ void check_vertical_unit(const SceneReading& reading, const gis::RasterInfo& fil
                         "Set terrain.vertical-unit = metre, foot or us-survey-foot"});
 }
 
-/// Whether the DTM can be read where the flow comes. Fluid that lies everywhere needs all of the ground.
+/// Whether the DTM can be read where the flow comes. Fluid that lies or rains everywhere needs all of the ground, and a
+/// soil by place is laid everywhere.
 bool can_read_on_demand(const SceneSpec& scene) {
-    const auto& lying = scene.structured.initial_fluid_depth;
+    const StructuredSpec& s = scene.structured;
+    const auto& lying = s.initial_fluid_depth;
+    if (s.rain) return false;
+    for (const auto* soil : {&s.soil_conductivity, &s.soil_suction, &s.soil_moisture_deficit})
+        if (*soil && (*soil)->kind != SourceSpec::Kind::number) return false;
     return !(lying && lying->kind == SourceSpec::Kind::number && lying->number > 0);
 }
 

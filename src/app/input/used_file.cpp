@@ -109,13 +109,26 @@ UsedFile used_marks(const std::string& role, const std::string& path, const gis:
     return file;
 }
 
-UsedFile used_hydrograph(const std::string& path, const std::vector<HydrographPoint>& points) {
+namespace {
+
+template <class Point>
+UsedFile used_series(const std::string& role, const std::string& path, const std::vector<Point>& points) {
     UsedFile file;
-    file.role = worded("Hydrograph");
+    file.role = role;
     file.path = path;
     file.content = shortest_text(points.front().time) + " – " + shortest_text(points.back().time) + " s";
     file.checksum.add(points);
     return file;
+}
+
+}  // namespace
+
+UsedFile used_hydrograph(const std::string& path, const std::vector<HydrographPoint>& points) {
+    return used_series(worded("Hydrograph"), path, points);
+}
+
+UsedFile used_rain(const std::string& path, const Rain& rain) {
+    return used_series(worded("Rain"), path, rain.points);
 }
 
 UsedFile used_features(const std::string& role, const std::string& path, const gis::FeatureLayer& layer) {

@@ -55,6 +55,7 @@ class Checksum {
     void add(const gis::NamedLine& line) { add_all(line.name, line.line); }
     void add(const gis::NamedPoint& point) { add_all(point.name, point.place); }
     void add(const HydrographPoint& point) { add_all(point.time, point.discharge, point.speed); }
+    void add(const Rain::Point& point) { add_all(point.time, point.intensity); }
     template <class Key, class Value>
     void add(const std::pair<Key, Value>& pair) {
         add_all(pair.first, pair.second);
@@ -110,6 +111,7 @@ UsedFile used_polygons(const std::string& role, const std::string& path, const g
 UsedFile used_lines(const std::string& role, const std::string& path, const gis::FeatureLayer& layer);
 UsedFile used_marks(const std::string& role, const std::string& path, const gis::Marks& marks);
 UsedFile used_hydrograph(const std::string& path, const std::vector<HydrographPoint>& points);
+UsedFile used_rain(const std::string& path, const Rain& rain);
 UsedFile used_features(const std::string& role, const std::string& path, const gis::FeatureLayer& layer);
 /// A data file of one's own: a hazard scheme, a friction table. `called`: its title.
 UsedFile used_data_file(const std::string& role, const std::string& path, const std::string& called);

@@ -154,6 +154,8 @@ void log_result(const Finished& run, RunLog& log) {
     if (const auto& file = run.prepared.scene.file_volume)
         log.note("the thickness raster contains " + grouped(file->inside) + " m3 inside the perimeter");
     if (result.volume_inflow > 0) log.note("inflow through lines: " + grouped(result.volume_inflow) + " m3");
+    if (result.volume_rained > 0) log.note("rain: " + grouped(result.volume_rained) + " m3");
+    if (result.volume_infiltrated > 0) log.note("infiltrated: " + grouped(result.volume_infiltrated) + " m3");
     for (const std::string& note : result.notes) log.note("engine: " + note);
     if (const RunEnd end = run_end(result); end.creeps) log.info(creeping_sentence(end).text());
     log.tell(without(result.warnings, run.prepared.scene.warnings));  // which were told before the run

@@ -204,6 +204,7 @@ Table scenario_table(const ReportInput& input) {
             number(area > 0 ? volume / area : 0, 3) + "; " + number(thickest, 3) + " m (" + words(k_vertical) + ")");
     }
     if (r.volume_inflow > 0) row(words("Inflow"), number.grouped(r.volume_inflow) + " m³");
+    if (r.volume_rained > 0) row(words("Rain"), number.grouped(r.volume_rained) + " m³");
     if (r.exchanges) {
         row(words("Eroded from the bed"), number.grouped(r.volume_eroded) + " m³");
         row(words("Deposited on the bed"), number.grouped(r.volume_deposited) + " m³");

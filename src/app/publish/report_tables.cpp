@@ -177,8 +177,10 @@ Document budget_table(const RunResult& r, const Words& words) {
     const ReportNumbers n(words);
     Table table;
     const auto volume = [&](const std::string& name, double value) { table.number(name, n.grouped(value), "m³"); };
-    volume(words("Released"), r.volume_entered - r.volume_inflow);
+    volume(words("Released"), r.volume_entered - r.volume_inflow - r.volume_rained);
     if (r.volume_inflow > 0) volume(words("Inflow"), r.volume_inflow);
+    if (r.volume_rained > 0) volume(words("Rain"), r.volume_rained);
+    if (r.volume_infiltrated > 0) volume(words("Infiltration"), r.volume_infiltrated);
     if (r.exchanges) {
         volume(words("Eroded from the bed"), r.volume_eroded);
         volume(words("Deposited on the bed"), r.volume_deposited);

@@ -48,6 +48,9 @@ struct Laws {
     bool wall = false;      ///< at the edges of the terrain
     bool gap_is_wall = false;
     bool flies = true;  ///< what would leave the ground is told of
+    /// Friction may balance the fall within a step: what leaves at an edge is then told with that of half a step, of
+    /// which friction alone has acted.
+    bool films = false;
     JumpRules jumps;
     voellmy_bingham::BedFriction friction;
     voellmy_bingham::PlaneStressLaw stress;

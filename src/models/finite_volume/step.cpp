@@ -64,15 +64,6 @@ void for_tiles_round(const State& s, const Region& r, std::int64_t reach, const 
         for (std::int64_t a = first % across; a <= last % across; ++a) visit(b * across + a);
 }
 
-// Reads it where the sweeps over these cells need it.
-void require_ground(State& s, const Laws& laws, const Region& r) {
-    for_tiles_round(s, r, k_reach, [&](std::int64_t tile) {
-        std::uint8_t& ready = s.ready[static_cast<std::size_t>(tile)];
-        if (ready == 0) read_ground(s, laws, NodeRange(tile, s.tiles, s.nodes));
-        ready = 1;
-    });
-}
-
 bool may_rest(const Laws& laws) {
     return laws.friction.keeps_rest() && laws.exchange_at_nodes == nullptr && !laws.friction.pore_pressure.active();
 }
@@ -210,6 +201,14 @@ StepReport account(State& s, const Laws& laws, ThreadPool& pool) {
 
 }  // namespace
 
+void require_ground(State& s, const Laws& laws, const Region& r) {
+    for_tiles_round(s, r, k_reach, [&](std::int64_t tile) {
+        std::uint8_t& ready = s.ready[static_cast<std::size_t>(tile)];
+        if (ready == 0) read_ground(s, laws, NodeRange(tile, s.tiles, s.nodes));
+        ready = 1;
+    });
+}
+
 State::State(NodeGrid& grid) : nodes(grid), tiles(tiles_on(grid)), edges(nodes.size()) {
     for (ZeroArray<double>* array :
          {&depth,        &qx,           &qy,           &bed,    &slope_x,  &slope_y,  &root,
@@ -283,22 +282,30 @@ std::int64_t add_to_cell(State& s, const Laws& laws, std::int64_t i, std::int64_
     return s.tile_of(i, j);
 }
 
-void settle(State& s, const Laws& laws, std::vector<std::int64_t> tiles) {
+void settle(State& s, const Laws& laws, std::vector<std::int64_t> tiles, ThreadPool* pool) {
     make_ascending(tiles);
     s.wet.insert(s.wet.end(), tiles.begin(), tiles.end());
     make_ascending(s.wet);
     const double dry = laws.values.dry;
-    for (const std::int64_t tile : tiles) {
+    std::vector<double> fastest(tiles.size(), s.wave);
+    const auto settle_one = [&](std::size_t n) {
+        const std::int64_t tile = tiles[n];
         NodeRange(tile, s.tiles, s.nodes).for_each(s.nodes.stride(), [&](std::size_t k, std::int64_t, std::int64_t) {
             s.held[k] = 0;
             if (!(s.depth[k] > dry)) return;
             const CellMotion motion = motion_of(s, laws, k);
             const double wave = std::max(std::abs(motion.u), std::abs(motion.v)) +
                                 std::sqrt(laws.values.wave_factor * laws.values.gravity * s.depth[k]);
-            s.wave = std::max(s.wave, std::isnan(wave) ? std::numeric_limits<double>::infinity() : wave);
+            fastest[n] = std::max(fastest[n], std::isnan(wave) ? std::numeric_limits<double>::infinity() : wave);
         });
         s.records[static_cast<std::size_t>(tile)] = survey(s, laws, tile);
+    };
+    if (pool != nullptr) {
+        pool->for_each(tiles.size(), settle_one);
+    } else {
+        for (std::size_t n = 0; n < tiles.size(); ++n) settle_one(n);
     }
+    for (const double wave : fastest) s.wave = std::max(s.wave, wave);
 }
 
 void renew_ground(State& s, const Laws& laws) {

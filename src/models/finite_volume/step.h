@@ -29,7 +29,10 @@ double stable_step(const State& state, const Laws& laws);
 std::int64_t add_to_cell(State& state, const Laws& laws, std::int64_t i, std::int64_t j, double depth, Point velocity,
                          const PorePressure::State& pores);
 /// After material was added or the ground was changed: these tiles are surveyed and computed again.
-void settle(State& state, const Laws& laws, std::vector<std::int64_t> tiles);
+/// @param pool null: by this thread
+void settle(State& state, const Laws& laws, std::vector<std::int64_t> tiles, ThreadPool* pool = nullptr);
+/// Reads the ground that the sweeps over these cells need, where it was not read yet.
+void require_ground(State& state, const Laws& laws, const Region& region);
 /// The bed has changed, or a saved state was read: what follows from the ground is read again under the flow.
 void renew_ground(State& state, const Laws& laws);
 

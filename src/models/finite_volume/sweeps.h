@@ -67,10 +67,13 @@ FaceRow moved(const FaceRow& row, std::ptrdiff_t by) {
 // The cell n cells beyond an open edge that only what moves outwards passes: the flow goes on as it comes, with the
 // fall of its surface; of one that stays, the mirror image.
 // @param edge, inner the cell at the edge and the next, at e and i  @param out 1: the sweep leaves there; -1: it enters
+// @param half of dt over the cell size, if the fall of half a step counts
 void continue_beyond(const CellRow& edge, std::size_t e, const CellRow& inner, std::size_t i, int n, double out,
-                     const CellRow& beyond, std::size_t b) {
+                     const CellRow& beyond, std::size_t b, double half) {
     constexpr double k_leaving = 1e-9;  // of the speed of waves: rounding must not drain a lake
-    const bool leaves = out * edge.speed[e] > k_leaving * std::sqrt(edge.weight[e] * edge.depth[e]);
+    const double fall = inner.depth[i] + inner.bed[i] - (edge.depth[e] + edge.bed[e]);
+    const bool leaves = out * edge.speed[e] + half * edge.weight[e] * std::max(fall, 0.0) >
+                        k_leaving * std::sqrt(edge.weight[e] * edge.depth[e]);
     const CellRow& from = leaves || n == 1 ? edge : inner;
     const std::size_t q = leaves || n == 1 ? e : i;
     for (double* CellRow::*same :
@@ -78,7 +81,6 @@ void continue_beyond(const CellRow& edge, std::size_t e, const CellRow& inner, s
         (beyond.*same)[b] = (from.*same)[q];
     beyond.speed[b] = (leaves ? 1 : -1) * from.speed[q];
     beyond.normal[b] = (leaves ? 1 : -1) * from.normal[q];
-    const double fall = inner.depth[i] + inner.bed[i] - (edge.depth[e] + edge.bed[e]);
     beyond.bed[b] = from.bed[q] - (leaves && inner.depth[i] > 0 ? n * std::max(fall, 0.0) : 0);
 }
 
@@ -123,9 +125,10 @@ class Sweeps {
                                   v_.dry, work.rows[0]);
                 if (!laws_.wall) {
                     for (int n = 1; n <= 2; ++n) {
-                        if (strip.region.i0 == k_ghost) continue_beyond(row, 1, row, 2, n, -1, moved(row, -n), 1);
+                        if (strip.region.i0 == k_ghost)
+                            continue_beyond(row, 1, row, 2, n, -1, moved(row, -n), 1, half_of_fall());
                         if (strip.region.i1 == s_.nodes.stride() - k_ghost)
-                            continue_beyond(row, count, row, count - 1, n, 1, moved(row, n), count);
+                            continue_beyond(row, count, row, count - 1, n, 1, moved(row, n), count, half_of_fall());
                     }
                 }
                 const SideRow &before_cells = work.sides[0][0], &after_cells = work.sides[0][1];
@@ -245,6 +248,7 @@ class Sweeps {
             for (std::int64_t j = r.j0; j < r.j1; ++j) task(index(r.i0, j), static_cast<std::size_t>(r.i1 - r.i0));
         });
     }
+    [[nodiscard]] double half_of_fall() const { return laws_.films ? 0.5 * v_.dt / v_.cell_size : 0; }
     [[nodiscard]] int carried() const { return s_.carried[0].size() == 0 ? 0 : s_.carried[1].size() == 0 ? 1 : 2; }
     // What passes faces with their mass: of the cell from which it comes.
     static void carry(const double* mass, std::size_t count, const double* depth_below, const double* below,
@@ -429,7 +433,7 @@ class Sweeps {
         const auto continue_row = [&](std::int64_t edge, int out, int n) {
             if (laws_.wall) return;
             for (std::size_t q = 0; q < count; ++q)
-                continue_beyond(row(edge), q, row(edge - out), q, n, out, row(edge + n * out), q);
+                continue_beyond(row(edge), q, row(edge - out), q, n, out, row(edge + n * out), q, half_of_fall());
         };
         const auto read_next = [&](std::int64_t j) {
             const std::int64_t end = s_.nodes.padded_rows() - k_ghost;

@@ -14,6 +14,7 @@ inline StepReport step(State& state, const Laws& laws, double dt_limit, ThreadPo
     Step now(state, laws, pool);
     choose_length(now, dt_limit);  // dt = min(stable_step, limit)
     move_fluid(now);               // dq/dt + div(q q / h_u) = -k g h_u grad(h_u + h_c + b) + div(h_u tau) - resistance
+    rain_and_infiltration(now);    // dh_u/dt = R - I,  dq/dt = -I q / h_u, if the scene has them
     push_on_nodes(now);            // a = -k g grad b + buoyancy + (virtual mass and drag) / m; -dt m a of these to q
     nodes_to_solids(now);          // a of a particle = sum w a
     pore_pressure(now);            // dr = -dt/2 (r - r_h) / T, if the scene has it; again after the motion

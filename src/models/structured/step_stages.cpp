@@ -9,6 +9,7 @@
 
 #include "models/structured/coupling/couple_nodes.h"
 #include "models/structured/coupling/release.h"
+#include "models/structured/fluid/rain.h"
 
 namespace frana::structured {
 namespace {
@@ -144,6 +145,12 @@ void move_fluid(Step& now) {
     State& state = now.state;
     if (!state.fluid) return;
     now.report.fluid = advance(*state.fluid, now.laws.fluid, solids_on_grid(state), now.report.dt, now.pool);
+}
+
+void rain_and_infiltration(Step& now) {
+    State& state = now.state;
+    const double dt = now.report.dt;
+    if (state.fluid) rain_and_infiltrate(*state.fluid, now.laws.fluid, state.time + dt, dt, now.pool);
 }
 
 void push_on_nodes(Step& now) {

@@ -39,6 +39,8 @@ struct Step {
 void choose_length(Step& now, double dt_limit);
 /// Over the solids at their present places. Reads solids_on_grid; writes FluidState, StepReport::fluid.
 void move_fluid(Step& now);
+/// Rain and infiltration; reads and writes FluidState.
+void rain_and_infiltration(Step& now);
 /// Reads SolidNodes and the fluid; writes the nodes' push; its reaction changes the fluid's discharge.
 void push_on_nodes(Step& now);
 /// Reads the nodes' push; writes the particles' push.

@@ -245,6 +245,9 @@ void check_pairs(const SceneSpec& scene, const std::string& file, Problems& prob
         return source && source->kind == SourceSpec::Kind::attribute;
     };
     const bool outlined = release.perimeter.has_value();
+    const StructuredSpec& soil = scene.structured;
+    const bool conductivity = soil.soil_conductivity.has_value(), suction = soil.soil_suction.has_value(),
+               deficit = soil.soil_moisture_deficit.has_value();
     const std::string outline_remedy = "Name the polygon layer, or give a number";
     std::vector<Pair> pairs{
         {"terrain.obstacles", terrain.obstacles.has_value(), "terrain.obstacle-height",
@@ -267,6 +270,13 @@ void check_pairs(const SceneSpec& scene, const std::string& file, Problems& prob
          pores.critical_solid_fraction.has_value(), "Give the solid fraction of steady shear"},
         {"material.critical-solid-fraction", pores.critical_solid_fraction.has_value(), "material.compressibility",
          pores.compressibility.has_value(), "Give it, or remove the key"},
+        {"structured.soil-conductivity", conductivity, "structured.soil-suction", suction, "Give metres"},
+        {"structured.soil-conductivity", conductivity, "structured.soil-moisture-deficit", deficit,
+         "Give porosity minus initial water content"},
+        {"structured.soil-suction", suction, "structured.soil-conductivity", conductivity,
+         "Give it, or remove the key"},
+        {"structured.soil-moisture-deficit", deficit, "structured.soil-conductivity", conductivity,
+         "Give it, or remove the key"},
         {"release.level", by_attribute(release.level), "release.perimeter", outlined, outline_remedy},
         {"release.volume", by_attribute(release.volume), "release.perimeter", outlined, outline_remedy},
         {"release.start", by_attribute(release.start), "release.perimeter", outlined, outline_remedy},

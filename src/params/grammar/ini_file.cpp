@@ -26,6 +26,7 @@ std::optional<SourceSpec> source_from_text(const std::string& text) {
     if (rest.empty()) return std::nullopt;
     if (word == "attribute") return SourceSpec{Kind::attribute, 0, rest};
     if (word == "raster") return SourceSpec{Kind::raster, 0, rest};
+    if (word == "table") return SourceSpec{Kind::table, 0, rest};
     return std::nullopt;
 }
 
@@ -35,6 +36,8 @@ std::string text_of(const SourceSpec& source) {
             return "attribute:" + source.name;
         case SourceSpec::Kind::raster:
             return "raster:" + source.name;
+        case SourceSpec::Kind::table:
+            return "table:" + source.name;
         case SourceSpec::Kind::number:
             break;
     }

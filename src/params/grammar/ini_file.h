@@ -7,15 +7,15 @@
 
 namespace frana {
 
-/// The source of a quantity: one number, a column of its vector layer, or a raster.
+/// The source of a quantity: one number, a column of its vector layer, a raster, or a table over time.
 struct SourceSpec {
-    enum class Kind { number, attribute, raster };
+    enum class Kind { number, attribute, raster, table };
     Kind kind = Kind::number;
     double number = 0;  ///< number, in the key's unit
-    std::string name;   ///< attribute: the column; raster: the file
+    std::string name;   ///< attribute: the column; raster, table: the file
 };
 
-/// Reads "12.5", "attribute:NAME" or "raster:FILE"; none: invalid.
+/// Reads "12.5", "attribute:NAME", "raster:FILE" or "table:FILE"; none: invalid.
 std::optional<SourceSpec> source_from_text(const std::string& text);
 std::string text_of(const SourceSpec& source);
 

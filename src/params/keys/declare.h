@@ -234,7 +234,7 @@ ParameterOf<Spec> text(const std::string& name, Member member, const std::string
     return result;
 }
 
-/// A number, attribute:NAME or raster:FILE, restricted to `kinds`.
+/// A number, attribute:NAME, raster:FILE or table:FILE, restricted to `kinds`.
 template <class Spec = SceneSpec, class Member>
 ParameterOf<Spec> source(const std::string& name, Member member, const std::string& unit, Range range,
                          const std::vector<SourceSpec::Kind>& kinds, const std::string& meaning,
@@ -243,8 +243,8 @@ ParameterOf<Spec> source(const std::string& name, Member member, const std::stri
     const auto allowed = [kinds](Kind kind) { return std::find(kinds.begin(), kinds.end(), kind) != kinds.end(); };
     std::vector<std::string> forms;
     if (allowed(Kind::number)) forms.push_back("a number");
-    for (const auto& [kind, form] :
-         {std::pair(Kind::attribute, "attribute:NAME"), std::pair(Kind::raster, "raster:FILE")})
+    for (const auto& [kind, form] : {std::pair(Kind::attribute, "attribute:NAME"),
+                                     std::pair(Kind::raster, "raster:FILE"), std::pair(Kind::table, "table:FILE")})
         if (allowed(kind)) forms.emplace_back(form);
     auto result = parameter<Spec>(
         name, "text", member,
@@ -262,10 +262,11 @@ ParameterOf<Spec> source(const std::string& name, Member member, const std::stri
     result.fits = [range](double value) { return range.has(value); };
     result.meaning = meaning;
     result.absent = absent;
-    if (allowed(Kind::raster)) {
+    if (allowed(Kind::raster) || allowed(Kind::table)) {
         result.map_files = [member](Spec& spec, const FileMap& map) {
             auto& target = member(spec);
-            if (target && target->kind == Kind::raster) target->name = map(target->name);
+            if (target && (target->kind == Kind::raster || target->kind == Kind::table))
+                target->name = map(target->name);
         };
     }
     return result;

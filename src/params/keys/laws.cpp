@@ -19,10 +19,10 @@ const std::set<std::string> k_voellmy_bingham_only{
     "material.preset",        "terrain.friction-zones", "numerics.scheme", "numerics.transfer",
     "numerics.well-balanced", "numerics.curvature",     "numerics.flight", "numerics.flight-clearance"};
 
-// Keys of [structured] that pure fluid reads too.
+// Keys of [structured] that pure fluid reads too, besides those of the soil.
 const std::set<std::string> k_fluid_keys{
-    "structured.phases",    "structured.fluid-density", "structured.fluid-viscosity",    "structured.manning",
-    "structured.dry-depth", "structured.zones",         "structured.initial-fluid-depth"};
+    "structured.phases",    "structured.fluid-density", "structured.fluid-viscosity",     "structured.manning",
+    "structured.dry-depth", "structured.zones",         "structured.initial-fluid-depth", "structured.rain"};
 
 bool has_solids(const SceneSpec& scene) {
     return scene.structured.phases == "solids-and-fluid";
@@ -75,7 +75,8 @@ bool solids_read(const std::string& name) {
 
 bool model_reads(const SceneSpec& scene, const std::string& name) {
     if (scene.material.model != "structured") return !in_section(name, "structured");
-    if (in_section(name, "structured")) return k_fluid_keys.count(name) > 0 || has_solids(scene);
+    if (in_section(name, "structured"))
+        return k_fluid_keys.count(name) > 0 || name.starts_with("structured.soil-") || has_solids(scene);
     if (name == "material.model" || (solids_read(name) && has_solids(scene))) return true;
     return !in_section(name, "material") && !in_section(name, "zones") && !in_section(name, "entrainment") &&
            k_voellmy_bingham_only.count(name) == 0;

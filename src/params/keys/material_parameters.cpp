@@ -71,6 +71,18 @@ void add_fluid(std::vector<Parameter>& list) {
     list.push_back(by_place(
         "structured.initial-fluid-depth", FRANA_MEMBER(structured.initial_fluid_depth), "m", Range{0, 1000},
         "Depth of free fluid on the ground or on the solids at the start, in addition to the release.", "none"));
+    list.push_back(source("structured.rain", FRANA_MEMBER(structured.rain), "mm/h", Range{0, 2500},
+                          {SourceSpec::Kind::number, SourceSpec::Kind::table},
+                          "Rain on all cells: its intensity, or a CSV with the columns time and rain, or depth.",
+                          "none"));
+    list.push_back(by_place(
+        "structured.soil-conductivity", FRANA_MEMBER(structured.soil_conductivity), "mm/h", Range{0, 1e5},
+        "Saturated conductivity of the soil, into which free fluid infiltrates (Green-Ampt).", "tight ground"));
+    list.push_back(by_place("structured.soil-suction", FRANA_MEMBER(structured.soil_suction), "m", Range{0, 2},
+                            "Suction at the wetting front.", "required with structured.soil-conductivity"));
+    list.push_back(by_place("structured.soil-moisture-deficit", FRANA_MEMBER(structured.soil_moisture_deficit), "",
+                            Range{0, 0.9}, "Porosity minus initial water content.",
+                            "required with structured.soil-conductivity"));
     list.push_back(number("structured.dry-depth", FRANA_MEMBER(structured.dry_depth), "m", Range{1e-8, 0.1},
                           "Depth below which free fluid does not move."));
 }

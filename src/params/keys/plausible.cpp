@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "params/keys/plausible.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -25,6 +26,11 @@ const std::vector<PlausibleRange> k_ranges{
     {"zones.friction-angle", 1, k_any, k_angle, k_arc_tangent, true, nullptr, k_frictionless},
     {"zones.friction-coefficient", 0, k_any, nullptr, 1, false, nullptr, k_frictionless},
     {"structured.bed-friction-angle", 1, k_any, k_angle, k_arc_tangent, true},
+    {"structured.rain", 0.1, k_any, "m/h", 1000, true},
+    {"structured.rain", 1e-3, k_any, "m/s", 3.6e6, true},
+    {"structured.soil-conductivity", 0.1, k_any, "cm/s", 36e3, true},
+    {"structured.soil-suction", 0, 2, "cm", 0.01, true},
+    {"structured.soil-moisture-deficit", 0, 0.9, "%", 0.01, true},
     {"material.density", 50, 3500, "kN/m3", 1000 / 9.81, false, worded("debris has 1 500 to 2 500 kg/m3")},
     {"material.turbulence", 50, 10'000, k_xi},
     {"zones.turbulence", 50, 10'000, k_xi},
@@ -67,20 +73,22 @@ std::optional<Sentence> implausible(const std::string& key, double value) {
 }
 
 void refuse_implausible(std::vector<Parameter>& parameters) {
-    for (Parameter& one : parameters) {
-        const PlausibleRange* const range = plausible_range(one.name());
-        if (range == nullptr || !range->is_refused) continue;
-        if (const std::size_t at = one.limits.find("0 to "); at != std::string::npos)
-            one.limits.replace(at, 1, "0, or " + shortest_text(range->least));
-        one.read = [read = one.read, range](SceneSpec& scene, const std::string& text) -> std::optional<ValueProblem> {
+    for (const PlausibleRange& range : k_ranges) {
+        const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                        [&](const Parameter& one) { return one.name() == range.key; });
+        if (!range.is_refused || found == parameters.end()) continue;
+        Parameter& one = *found;
+        if (const std::size_t at = one.limits.find("0 to "); range.least > 0 && at != std::string::npos)
+            one.limits.replace(at, 1, "0, or " + shortest_text(range.least));
+        one.read = [read = one.read, &range](SceneSpec& scene, const std::string& text) -> std::optional<ValueProblem> {
             const auto value = number_from_text(text);
-            if (value && *value > 0 && !range->has(*value))
-                return ValueProblem{"is not plausible", range->meant(*value).text()};
+            if (value && *value > 0 && !range.has(*value))
+                return ValueProblem{"is not plausible", range.meant(*value).text()};
             return read(scene, text);
         };
         if (one.fits)
-            one.fits = [fits = one.fits, range](double value) {
-                return fits(value) && (value == 0 || range->has(value));
+            one.fits = [fits = one.fits, &range](double value) {
+                return fits(value) && (value == 0 || range.has(value));
             };
     }
 }

@@ -89,6 +89,8 @@ struct StructuredSpec : StructuredValues {
     std::optional<std::string> phases;
     std::optional<std::string> zones;
     std::optional<SourceSpec> initial_fluid_depth;
+    std::optional<SourceSpec> rain;                                                    ///< [mm/h]
+    std::optional<SourceSpec> soil_conductivity, soil_suction, soil_moisture_deficit;  ///< [mm/h], [m], [-]
     std::optional<SourceSpec> solid_fraction = SourceSpec{SourceSpec::Kind::number, SolidValues{}.solid_fraction, {}};
     std::optional<SourceSpec> confined_fraction =
         SourceSpec{SourceSpec::Kind::number, SolidValues{}.confined_fraction, {}};

@@ -147,6 +147,9 @@ class Refused : public CheckedScene {
         write("hours.csv", "time,discharge_m3/h\n0,1\n3,7\n");
         write("knots.csv", "time,discharge,velocity_kn\n0,1,1\n3,7,1\n");
         write("late.csv", "time,discharge\n5,1\n9,2\n");
+        write("drizzle.csv", "time_h,rain\n0,1e-5\n3,2e-5\n");
+        write("drought.csv", "time_h,rain_mm/h\n0,0\n3,0\n");
+        write("melts.csv", "time,depth\n0,10\n5,8\n");
         write("dry.csv", "time,discharge\n0,0\n7,0\n9,2\n");
     }
     /// The parts of a problem without the test's folder.

@@ -43,7 +43,7 @@ void resist(const NodeRange& range, const FluidLaws& laws, const SolidsOnGrid& s
     finite_volume::State& now = state.now;
     range.for_each(now.nodes.stride(), [&](std::size_t cell, std::int64_t, std::int64_t) {
         const double h = now.depth[cell];
-        if (!(h > laws.dry)) return;
+        if (!(h > laws.dry) || (laws.manning_in_sweeps && !(solid.depth != nullptr && solid.depth[cell] > 0))) return;
         const BedFrame frame = state.frame(cell);
         const Point start{now.qx[cell] / h, now.qy[cell] / h};  // along the bed
         Point w = start;

@@ -8,6 +8,8 @@
 #include "core/zero_array.h"
 #include "models/finite_volume/state.h"
 #include "mpm/curvature.h"
+#include "physics/infiltration_green_ampt.h"
+#include "physics/rain.h"
 
 namespace frana::structured {
 
@@ -43,12 +45,16 @@ struct FluidLaws {
     /// of the solids' velocity by the fluid's own (ours: a film is braked by the block that it runs over). Needs
     /// SolidsOnGrid::u, mass.
     bool manning_on_total = false;
+    /// R_n acts in the sweeps, on the fluxes too, where there are no solids: films in which it balances the slope
+    /// within a step flow at its speed. Split off it is of first order in the step over that time. Not with viscosity.
+    bool manning_in_sweeps = false;
     double density = k_fluid_density;  ///< rho_u [kg/m3]
     double viscosity = 0;              ///< a_eta: eta = a_eta exp(b_eta alpha_s) [Pa s]; 0: no viscous term
     double viscosity_growth = 10;      ///< b_eta [-]
     double velocity_shape = 3;         ///< chi: bed shear by viscosity, chi nu u / h^2 [-]
     double mobility = 1;               ///< A of the enhanced non-Newtonian stress [-]; 0: off
     double solids_shape = 2;           ///< zeta: damping by the vertical profile of solids [-]
+    Rain rain;
 };
 
 /// Everything of the fluid that changes during a run.
@@ -66,6 +72,17 @@ struct FluidState {
     ZeroArray<double> resistance_x, resistance_y;
     std::vector<std::int64_t> resisted;  ///< tiles in which it is not 0; ascending
 
+    double rained = 0;                     ///< depth of rain so far, in every open cell [m]
+    std::vector<std::int64_t> open_tiles;  ///< on which rain falls; only with rain
+    std::int64_t open_cells = 0;           ///< in them
+    ZeroArray<double> infiltrated;         ///< so far, by cell [m]; empty: tight ground
+    double volume_infiltrated = 0;         ///< their sum [m3]
+    GreenAmpt soil;                        ///< where `soils` is empty
+    ZeroArray<GreenAmpt> soils;            ///< by cell
+
+    [[nodiscard]] double volume_rained() const noexcept {
+        return rained * static_cast<double>(open_cells) * now.cell_area();
+    }
     [[nodiscard]] BedFrame frame(std::size_t cell) const noexcept {
         return {now.slope_x[cell], now.slope_y[cell], now.root[cell]};
     }
@@ -88,7 +105,7 @@ struct FluidState {
 
 template <class Archive>
 void serialise(Archive& archive, FluidState& state) {
-    archive(state.now, state.volume_into_gaps);  // the rest is of an advance
+    archive(state.now, state.volume_into_gaps, state.rained, state.infiltrated, state.volume_infiltrated);
 }
 
 /// Results of an advance.

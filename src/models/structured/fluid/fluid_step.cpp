@@ -8,6 +8,7 @@
 
 #include "models/finite_volume/step.h"
 #include "models/structured/fluid/fluid_resistance.h"
+#include "models/structured/fluid/rain.h"
 
 namespace frana::structured {
 namespace {
@@ -16,21 +17,6 @@ template <class Task>
 void for_tiles(const FluidState& state, ThreadPool& pool, const Task& task) {
     const finite_volume::State& now = state.now;
     pool.for_each(now.wet.size(), [&](std::size_t t) { task(t, NodeRange(now.wet[t], now.tiles, now.nodes)); });
-}
-
-// Pressure and terrain, without friction.
-finite_volume::Laws sweeps_of(const FluidLaws& laws, const NodeGrid& nodes) {
-    finite_volume::Laws sweeps;
-    sweeps.values.cell_size = nodes.cell_size();
-    sweeps.values.gravity = laws.gravity;
-    sweeps.values.dry = laws.dry;
-    sweeps.values.weight_of_bed = true;  // that of the solids: what floats is not pushed uphill
-    sweeps.cfl = laws.cfl;
-    sweeps.along_bed = sweeps.curved = laws.steep;
-    sweeps.wall = laws.wall;
-    sweeps.gap_is_wall = !laws.gaps_are_open;
-    sweeps.flies = false;
-    return sweeps;
 }
 
 // What flowed into cells without terrain has left.
@@ -54,10 +40,36 @@ void empty_gaps(FluidState& state, const finite_volume::Laws& sweeps) {
 FluidState::FluidState(NodeGrid& nodes, const FluidLaws& laws) : now(nodes) {
     for (ZeroArray<double>* force : {&force_x, &force_y})
         if (has_viscosity(laws)) *force = ZeroArray<double>(nodes.size());
+    if (laws.manning_in_sweeps) now.bed_states = ZeroArray<BedState>(nodes.size());
+    find_open_ground(*this, laws);
+}
+
+finite_volume::Laws sweeps_of(const FluidLaws& laws, const NodeGrid& nodes, const double* solid_depth) {
+    finite_volume::Laws sweeps;
+    sweeps.values.cell_size = nodes.cell_size();
+    sweeps.values.gravity = laws.gravity;
+    sweeps.values.dry = laws.dry;
+    sweeps.values.weight_of_bed = true;  // that of the solids: what floats is not pushed uphill
+    sweeps.cfl = laws.cfl;
+    sweeps.along_bed = sweeps.curved = laws.steep;
+    sweeps.wall = laws.wall;
+    sweeps.gap_is_wall = !laws.gaps_are_open;
+    sweeps.flies = false;
+    if (!laws.manning_in_sweeps) return sweeps;
+    sweeps.films = sweeps.friction.summed = true;
+    sweeps.friction.sweeps.emplace_back([law = ManningFriction{laws.gravity, laws.manning}, solid_depth](
+                                            const NodeRange& range, const NodeGrid& grid, BedState* states) {
+        range.for_each(grid.stride(), [&](std::size_t cell, std::int64_t, std::int64_t) {
+            const bool has_solids = solid_depth != nullptr && solid_depth[cell] > 0;
+            if (grid.mass(cell) > 0 && !has_solids) law(states[cell], cell);
+        });
+    });
+    return sweeps;
 }
 
 void set_ground(FluidState& state, const FluidLaws& laws) {
     finite_volume::renew_ground(state.now, sweeps_of(laws, state.now.nodes));
+    find_open_ground(state, laws);
 }
 
 double receive(std::span<const FluidSource> sources, FluidState& state, const FluidLaws& laws) {
@@ -114,7 +126,7 @@ FluidReport advance(FluidState& state, const FluidLaws& laws, const SolidsOnGrid
     constexpr double k_least_fraction = 1e-6;  // least stable fraction of a step: below it the run would not end
     FluidReport report;
     finite_volume::State& now = state.now;
-    const finite_volume::Laws sweeps = sweeps_of(laws, now.nodes);
+    const finite_volume::Laws sweeps = sweeps_of(laws, now.nodes, solid.depth);
     now.lying = solid.depth;
     for (const std::int64_t tile : std::exchange(state.resisted, {}))
         NodeRange(tile, now.tiles, now.nodes)

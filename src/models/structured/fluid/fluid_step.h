@@ -8,6 +8,10 @@
 
 namespace frana::structured {
 
+/// What the sweeps of models/finite_volume read: pressure, terrain and, if they have it, Manning's resistance.
+/// @param solid_depth padded; where it is greater than 0 that is left to `resist`; null: no solids
+finite_volume::Laws sweeps_of(const FluidLaws& laws, const NodeGrid& nodes, const double* solid_depth = nullptr);
+
 /// The ground has changed, or a saved state was read: what follows from it is read again under the fluid.
 void set_ground(FluidState& state, const FluidLaws& laws);
 

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/structured/fluid/rain.h"
+
+#include <algorithm>
+#include <type_traits>
+#include <vector>
+
+#include "models/finite_volume/step.h"
+#include "models/structured/fluid/fluid_step.h"
+
+namespace frana::structured {
+namespace {
+
+/// Tight ground: nothing is computed for it.
+struct Tight {};
+
+template <class Visit>
+void for_open_cells(const FluidState& state, std::int64_t tile, const Visit& visit) {
+    const NodeGrid& nodes = state.now.nodes;
+    NodeRange(tile, state.now.tiles, nodes)
+        .for_each(nodes.stride(), [&](std::size_t cell, std::int64_t i, std::int64_t j) {
+            if (!nodes.is_ghost(i, j) && !nodes.is_gap(cell) && !nodes.is_wall(cell)) visit(cell);
+        });
+}
+
+// Returns the depth that infiltrates in a tile [m], summed over its cells.
+// Three instantiations: tight ground, uniform soil, soil by place.
+template <class SoilOf>
+double exchange(FluidState& state, std::int64_t tile, double rain, double dt, const SoilOf& soil_of) {
+    finite_volume::State& now = state.now;
+    double sum = 0;
+    for_open_cells(state, tile, [&](std::size_t cell) {
+        now.depth[cell] += rain;
+        if constexpr (!std::is_same_v<SoilOf, Tight>) {
+            const double depth = now.depth[cell], gone = soil_of(cell)(state.infiltrated[cell], depth, dt);
+            if (!(gone > 0)) return;
+            const double kept = 1 - gone / depth;
+            state.infiltrated[cell] += gone;
+            sum += gone;
+            now.depth[cell] = depth - gone;
+            now.qx[cell] *= kept;
+            now.qy[cell] *= kept;
+        }
+    });
+    return sum;
+}
+
+}  // namespace
+
+void find_open_ground(FluidState& state, const FluidLaws& laws) {
+    if (!laws.rain.falls()) return;
+    finite_volume::State& now = state.now;
+    state.open_tiles.clear();
+    state.open_cells = 0;
+    for (std::int64_t tile = 0; tile < now.tiles.tiles_x() * now.tiles.tiles_y(); ++tile) {
+        const NodeRange range(tile, now.tiles, now.nodes);
+        if (range.i0 >= range.i1 || range.j0 >= range.j1) continue;
+        finite_volume::require_ground(now, sweeps_of(laws, now.nodes), {range.i0, range.i1, range.j0, range.j1});
+        const std::int64_t before = state.open_cells;
+        for_open_cells(state, tile, [&](std::size_t) { ++state.open_cells; });
+        if (state.open_cells > before) state.open_tiles.push_back(tile);
+    }
+}
+
+void rain_and_infiltrate(FluidState& state, const FluidLaws& laws, double time, double dt, ThreadPool& pool) {
+    const bool soaks = state.infiltrated.size() > 0;
+    const double fallen = laws.rain.depth_by(time), rain = std::max(0.0, fallen - state.rained);
+    if (rain == 0 && !soaks) return;
+    state.rained = std::max(state.rained, fallen);
+    const std::vector<std::int64_t>& tiles = rain > 0 ? state.open_tiles : state.now.wet;
+    std::vector<double> gone(tiles.size());
+    const auto over_tiles = [&](const auto& soil_of) {
+        pool.for_each(tiles.size(), [&](std::size_t t) { gone[t] = exchange(state, tiles[t], rain, dt, soil_of); });
+    };
+    if (!soaks) {
+        over_tiles(Tight{});
+    } else if (state.soils.size() == 0) {
+        over_tiles([&](std::size_t) { return state.soil; });
+    } else {
+        over_tiles([&](std::size_t cell) { return state.soils[cell]; });
+    }
+    for (const double depth : gone) state.volume_infiltrated += depth * state.now.cell_area();
+    finite_volume::settle(state.now, sweeps_of(laws, state.now.nodes), tiles, &pool);
+}
+
+}  // namespace frana::structured
