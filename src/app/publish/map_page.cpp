@@ -60,10 +60,11 @@ std::string packed(const Raster& raster, double step) {
             last = static_cast<std::uint32_t>(steps);
         }
     }
+    constexpr int k_level = 3;  // half of the time of the default, a twentieth more bytes
     uLongf size = compressBound(static_cast<uLong>(planes.size()));
     std::string bytes(size, '\0');
     compress2(reinterpret_cast<Bytef*>(bytes.data()), &size, reinterpret_cast<const Bytef*>(planes.data()),
-              static_cast<uLong>(planes.size()), Z_DEFAULT_COMPRESSION);
+              static_cast<uLong>(planes.size()), k_level);
     return base64({bytes.data(), size});
 }
 
