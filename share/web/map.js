@@ -131,7 +131,10 @@ if (data.frames) choice.append(element('option', {}, `${words.time}: ${data.fram
 choice.selectedIndex = data.layers.indexOf(layer);
 choice.addEventListener('change', () => {
   const isTime = choice.selectedIndex === data.layers.length;
-  if (!isTime) layer = data.layers[choice.selectedIndex];
+  if (!isTime) {
+    layer = data.layers[choice.selectedIndex];
+    play(false);
+  }
   frame = isTime ? Number(byId('frame').value) : -1;
   showLayer();
   if (asked) ask(asked);
@@ -232,18 +235,17 @@ let asked = null;  // the place whose values are shown
 map.on('popupclose', () => { asked = null; });
 /** Shows all that is known of a place in the panel, and in a popup what the map shows there. */
 async function ask(place) {
-  const cell = cellAt(place);
-  if (cell < 0) return;
+  const cell = cellAt(place), isInside = cell >= 0;  // features may lie beside the cells
   const rows = [], others = [];
-  if (frame >= 0) {
+  if (isInside && frame >= 0) {
     const one = data.frames.list[frame], value = (await cellsOf(one))[cell];
     if (!Number.isNaN(value)) rows.push([`${data.frames.title}, ${numberText(one.time, 4)} s`, `${steppedText(value, one.step)} ${data.frames.unit}`]);
   }
-  for (const one of data.layers) {
+  for (const one of isInside ? data.layers : []) {
     const text = await valueText(one, cell);
     if (text) (one === layer && frame < 0 ? rows : others).push([one.title, text]);
   }
-  if (data.ground) rows.push([data.ground.title, `${steppedText((await cellsOf(data.ground))[cell], data.ground.step)} m`]);
+  if (isInside && data.ground) rows.push([data.ground.title, `${steppedText((await cellsOf(data.ground))[cell], data.ground.step)} m`]);
   const reach = 8 * 2 ** -map.getZoom(), here = [table('', rows)], tables = [table(words.here, rows.concat(placeRows(place)))];
   for (const shape of data.shapes)
     for (const feature of shape.features)
@@ -252,6 +254,7 @@ async function ask(place) {
         tables.push(object);
         here.push(object.cloneNode(true));
       }
+  if (!isInside && here.length === 1) return;
   if (others.length > 0) tables.push(table(words.maps, others));
   byId('values').replaceChildren(...tables);
   L.popup({ maxHeight: 200, maxWidth: 300 }).setLatLng([place[1], place[0]]).setContent(element('div', {}, ...here)).openOn(map);
@@ -341,18 +344,25 @@ map.getContainer().addEventListener('keydown', event => {
 // ---- Opacity and time
 
 byId('opacity').addEventListener('input', event => overlay.setOpacity(event.target.value / 100));
+let timer = 0;
+/** Lets the frames run, or stops them. */
+function play(on) {
+  const slider = byId('frame');
+  clearInterval(timer);
+  timer = on ? setInterval(() => { slider.value = (Number(slider.value) + 1) % data.frames.list.length; showFrame(); }, 250) : 0;
+  byId('play').setAttribute('aria-pressed', String(on));
+  byId('play').textContent = on ? words.pause : words.play;
+}
+function showFrame() {
+  frame = Number(byId('frame').value);
+  choice.selectedIndex = data.layers.length;
+  showLayer();
+}
 if (data.frames) {
   const slider = byId('frame');
-  let timer = 0;
   slider.max = data.frames.list.length - 1;
-  const show = () => { frame = Number(slider.value); choice.selectedIndex = data.layers.length; showLayer(); };
-  slider.addEventListener('input', show);
-  byId('play').addEventListener('click', () => {
-    clearInterval(timer);
-    timer = timer ? 0 : setInterval(() => { slider.value = (Number(slider.value) + 1) % data.frames.list.length; show(); }, 250);
-    byId('play').setAttribute('aria-pressed', String(timer !== 0));
-    byId('play').textContent = timer ? words.pause : words.play;
-  });
+  slider.addEventListener('input', showFrame);
+  byId('play').addEventListener('click', () => play(timer === 0));
 } else byId('time').hidden = true;
 
 // ---- Paper

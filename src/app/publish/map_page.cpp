@@ -60,7 +60,7 @@ std::string packed(const Raster& raster, double step) {
             last = static_cast<std::uint32_t>(steps);
         }
     }
-    constexpr int k_level = 3;  // half of the time of the default, a twentieth more bytes
+    constexpr int k_level = 4;  // a third less time than the default, a fortieth more bytes
     uLongf size = compressBound(static_cast<uLong>(planes.size()));
     std::string bytes(size, '\0');
     compress2(reinterpret_cast<Bytef*>(bytes.data()), &size, reinterpret_cast<const Bytef*>(planes.data()),

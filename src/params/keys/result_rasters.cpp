@@ -313,8 +313,8 @@ void add_structured(Table& table) {
           k_even);
     table.when("with structured.soil-conductivity",
                [](const SceneSpec& scene) { return scene.structured.soil_conductivity.has_value(); });
-    table.flow("infiltrated_depth", "Infiltration", "Depth of fluid that infiltrated into the ground", "m", "depth",
-               k_progressive);
+    phase("infiltrated_depth", "Infiltration", "Depth of fluid that infiltrated into the ground", "m", "depth",
+          k_progressive);
     table.when(structured, [](const SceneSpec& scene) { return scene.structured.phases == "solids-and-fluid"; });
     phase("fluid_depth", "Depth of free fluid", "Depth of the free fluid, vertical", "m", "depth", k_progressive);
     phase(RasterName::solid_depth, "Depth of solids", "Depth of solids without their fluid, vertical", "m", "depth",

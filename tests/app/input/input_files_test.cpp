@@ -73,6 +73,9 @@ InputFiles::Sample InputFiles::raster_sample_of(const Parameter& key) const {
     sample.sets = {name + "=raster:file.tif"};
     sample.write = [this, values](int version) { write_raster("file.tif", values.at(version)); };
     if (key.section == "structured") sample.scene = "structured.ini";
+    for (const std::string soil : {"conductivity", "suction", "moisture-deficit"})  // which only stand together
+        if (name.starts_with("structured.soil-") && !name.ends_with(soil))
+            sample.sets.push_back("structured.soil-" + soil + "=0.1");
     const std::vector<const Law*> readers = readers_of(name);
     if (readers.empty()) return sample;
     const Law& law = *readers.front();
@@ -127,6 +130,10 @@ std::optional<InputFiles::Sample> InputFiles::file_sample_of(const std::string& 
         {"release.thickness", {scene, {name + "=raster:file.tif"}, raster}},
         {"inflow.line", {scene, {flows[1], shape}, line}},
         {"inflow.hydrograph", {scene, {flows[0], name + "=file.csv"}, hydrograph}},
+        {"structured.rain",
+         {"structured.ini",
+          {name + "=table:file.csv"},
+          [this](int version) { write("file.csv", "time,rain\n0,20\n10," + std::to_string(20 + version) + "\n"); }}},
         {"structured.zones", {"structured.ini", {shape, "structured.initial-fluid-depth=attribute:thick"}, box(30)}},
         {"hazard.scheme",
          {scene,

@@ -38,6 +38,7 @@ const std::map<std::string, std::pair<std::string, std::string>> k_values{
     {"material.friction-beta", {"0.1", "0.3"}},
     {"material.fast-friction-angle", {"30", "35"}},
     {"material.friction-length", {"0.5", "1"}},
+    {"material.crossover-speed", {"1", "4"}},
     {"material.internal-friction-angle", {"25", "35"}},
     {"entrainment.erosion-rate", {"0.01", "0.05"}},
     {"entrainment.critical-shear-stress", {"200", "800"}},

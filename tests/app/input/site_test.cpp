@@ -189,7 +189,7 @@ TEST_F(Site, AlphaBetaIsToldWhereThePathBecomesGentle) {
         const double x = (column + 0.5) * k_cell;
         return 1000 - 0.5 * std::min(x, 80.0) - 0.05 * std::max(x - 80, 0.0);
     });
-    run_with("report = on\n", "out", {"time.end=20", "material.friction-angle=5"});
+    run_with("", "out", {"material.friction-angle=5", "output.report=on"});
     const Json gentle = parse_json(read_text(path("out/summary.json")))["runout"];
     const double beta = gentle["beta_deg"];
     EXPECT_GT(beta, 15);

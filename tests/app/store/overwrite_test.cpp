@@ -114,7 +114,9 @@ void Overwrite::make_studies(bool all) const {
 TEST_F(Overwrite, EveryFileOfAResultIsInItsManifestAndInTheTable) {
     run(k_voellmy + k_entrainment + k_every_output, "old");
     render_all();
-    run(k_structured + k_every_output, "other");
+    run(k_structured + k_every_output +
+            "[structured]\nsoil-conductivity = 10\nsoil-suction = 0.1\nsoil-moisture-deficit = 0.3\n",
+        "other");
     run("[material]\nfriction-table = ngi-avalanche\nreturn-period = 100\n" + k_every_output, "table");
     run(k_voellmy + k_numbers_only + "formats = geotiff, shp, kmz, dxf\n[hazard]\nscheme = austrian-torrent\n",
         "zones");
