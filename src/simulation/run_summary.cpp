@@ -312,7 +312,10 @@ GapContact gap_contact(const RunResult& result, const Scene& scene, NodataPolicy
 }
 
 double left_fraction(const RunResult& result) noexcept {
-    return result.volume_entered > 0 ? result.volume_left / result.volume_entered : 0;
+    const double rained = result.volume_rained, entered = result.volume_entered - rained;
+    const double fraction = entered > 0 ? std::max(0.0, result.volume_left - rained) / entered : 0;
+    if (rained == 0 || !result.phases || !(result.phases->entered.solids > 0)) return fraction;
+    return std::max(fraction, result.phases->left.solids / result.phases->entered.solids);
 }
 
 bool is_open(const RunResult& result, const Scene& scene) {

@@ -166,11 +166,11 @@ GapContact gap_contact(const RunResult& result, const Scene& scene, NodataPolicy
 
 /// Fraction of the volume through the edges of the computed ground from which a run-out is not the full one.
 inline constexpr double k_left_ground = 1e-3;
-/// Fraction of the volume that left.
+/// Fraction of the volume that left, of what did not fall as rain; with rain, which leaves near the edges of any
+/// ground, the least that it can be: what left beyond the volume of the rain, and the solids.
 double left_fraction(const RunResult& result) noexcept;
 inline bool left_ground(const RunResult& result) noexcept {
-    // Rain near the edges leaves on any ground.
-    return result.volume_rained == 0 && left_fraction(result) > k_left_ground;
+    return left_fraction(result) > k_left_ground;
 }
 
 /// Whether nobody knows the full reach of the flow: its front still moved at the end, it left the computed ground, came

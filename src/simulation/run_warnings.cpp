@@ -365,7 +365,8 @@ Warnings run_warnings(const RunResult& result, const Scene& scene) {
     const double shown = result.volume_shown;
     // What is thinner than what is shown has a sentence of its own, and smaller cells would not help.
     const double hidden = result.thin_fraction < k_thin_fraction ? 0 : result.thin_fraction;
-    if (std::abs(shown - result.volume_final) > (k_shown_fraction + hidden) * result.volume_final) {
+    const double unseen = (k_shown_fraction + hidden) * result.volume_final + result.volume_rained;  // a film of rain
+    if (std::abs(shown - result.volume_final) > unseen) {
         warnings.push_back(worded("final_depth.tif has {1} m3, the flow {2} m3: use smaller cells",
                                   {numeral(grouped(shown)), numeral(grouped(result.volume_final))}));
     }

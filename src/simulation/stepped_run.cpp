@@ -343,8 +343,8 @@ void SteppedRun::count(const StepStatistics& statistics) {
     if (const SeriesRow row = series_row(*model_, statistics, result_); std::isfinite(row.volume + row.kinetic_energy))
         result_.series.push_back(row);
     const BedBudget bed = model_->bed_budget();
-    // Rain is a film wherever it falls.
-    if (bed.rained == 0) result_.thin_fraction = std::max(result_.thin_fraction, statistics.thin_fraction);
+    const double rain = statistics.volume > 0 ? bed.rained / statistics.volume : 0;  // a film wherever it falls
+    result_.thin_fraction = std::max(result_.thin_fraction, statistics.thin_fraction - rain);
     if (statistics.volume > 0)
         result_.moving_fraction_limit =
             std::min(1.0, statistics.moving / statistics.volume);  // some may have just left

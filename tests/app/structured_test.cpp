@@ -192,6 +192,29 @@ TEST_F(StructuredScene, RainFallsAndInfiltrates) {
     EXPECT_LT(summary_number("placed", "relative_error"), 1e-12);
 }
 
+// A drizzle of 30 m3 does not hide that the flow ran off the map; and rain alone, which leaves everywhere, is no such
+// news.
+TEST_F(StructuredScene, RainDoesNotHideAFlowThatLeavesTheMap) {
+    write_fluid(k_numbers_only);
+    const auto told = [&](const std::string& result, const std::string& rain) {
+        const Outcome outcome = frana({"run", "scene.ini", "--out", result, "--quiet", "--set", "time.end=120", "--set",
+                                       "structured.rain=" + rain});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return json_lists(read_text(path(result + "/summary.json")), "warnings", "left the computed ground");
+    };
+    EXPECT_TRUE(told("drizzle", "20"));
+    EXPECT_GT(summary_number("drizzle", "left_domain_m3"), 100);
+    EXPECT_FALSE(told("storm", "2500"));
+    // Thinner than what maps show: no smaller cells would show it.
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "film", "--quiet", "--set", "time.end=300", "--set",
+                     "release.thickness=0.2", "--set", "structured.rain=5"})
+                  .exit_code,
+              0);
+    const std::string film = read_text(path("film/summary.json"));
+    EXPECT_GT(json_number(film, "greatest_thin_fraction"), 0.1);
+    EXPECT_FALSE(json_lists(film, "warnings", "use smaller cells"));
+}
+
 TEST_F(StructuredScene, RecordsSections) {
     write("section.geojson",
           R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"

@@ -17,6 +17,7 @@
 #include "params/grammar/ini_file.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/plausible.h"
+#include "params/keys/scene_parameters.h"
 #include "params/scene/read_scene.h"
 #include "simulation/arrivals.h"
 #include "simulation/scene_values.h"
@@ -185,7 +186,6 @@ Rain read_rain(const std::string& file, const Place& where) {
     const gis::Table table = gis::read_table(file, where);
     const Columns columns = columns_of(table, k_rain, place);
     const std::vector<Row> rows = rows_of(table, columns, k_rain, place);
-    constexpr double k_most = 2500;  // [mm/h], as of structured.rain
     Rain rain;
     double heaviest = 0;
     const auto add = [&](double time, double rate) {
@@ -201,15 +201,14 @@ Rain read_rain(const std::string& file, const Place& where) {
             add(rows[i].time, rate);
         }
     }
-    const PlausibleRange& range = *plausible_range("structured.rain");
-    if (heaviest == 0 || !range.has(heaviest) || heaviest > k_most)
-        throw Error(ErrorKind::input,
-                    Problem{"the heaviest rain is not plausible", place, shortest_text(heaviest) + " mm/h",
-                            shortest_text(range.least) + " to " + shortest_text(k_most) + " mm/h",
-                            heaviest > 0 && heaviest < range.least
-                                ? range.meant(heaviest).text()
-                                : "Correct the column, or name its unit: rain_mm/h, depth_mm"});
-    return rain;
+    const Parameter& key = *find_parameter(scene_parameters(), "structured.rain");
+    if (heaviest > 0 && key.fits(heaviest)) return rain;
+    const PlausibleRange* const other = range_without(key.name(), heaviest);
+    throw Error(ErrorKind::input,
+                Problem{"the heaviest rain is not plausible", place, shortest_text(heaviest) + " mm/h",
+                        key.limits + " [" + key.unit + "]",
+                        other != nullptr ? other->meant(heaviest).text()
+                                         : "Correct the column, or name its unit: rain_mm/h, depth_mm"});
 }
 
 namespace {

@@ -66,9 +66,16 @@ const PlausibleRange* plausible_range(const std::string& key) {
     return nullptr;
 }
 
+const PlausibleRange* range_without(const std::string& key, double value) {
+    const PlausibleRange* found = nullptr;
+    for (const PlausibleRange& range : k_ranges)  // the widest of a key stands last
+        if (key == range.key && !range.has(value)) found = &range;
+    return found;
+}
+
 std::optional<Sentence> implausible(const std::string& key, double value) {
-    const PlausibleRange* const range = plausible_range(key);
-    if (range == nullptr || range->has(value)) return std::nullopt;
+    const PlausibleRange* const range = range_without(key, value);
+    if (range == nullptr) return std::nullopt;
     return worded("{1} = {2} is unusual: {3}", {key, numeral(shortest_text(value)), range->meant(value)});
 }
 

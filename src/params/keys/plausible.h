@@ -32,6 +32,8 @@ inline constexpr const char* k_hydrograph_velocity = "hydrograph velocity";
 
 /// The range of a key; null: none.
 const PlausibleRange* plausible_range(const std::string& key);
+/// The range of a key, of several the widest, that does not have a value; null: none.
+const PlausibleRange* range_without(const std::string& key, double value);
 
 /// The warning about a value outside its plausible range; none for others.
 std::optional<Sentence> implausible(const std::string& key, double value);
