@@ -170,7 +170,8 @@ constexpr std::int64_t k_step_bytes = 180, k_step_text_bytes = 450, k_step_chart
 constexpr std::int64_t k_computing_bytes = 20'000'000;
 // Frames waiting for the disk contain both quantities; particles eight numbers each, VTK's and GDAL's copies.
 constexpr std::int64_t k_frame_cell_bytes = 40, k_frame_particle_bytes = 330;
-// Per cell that nothing reaches: tables of tiles, and terrain and bed where these are read whole, with their files.
+// Per cell that nothing reaches: tables of tiles; where the terrain is read whole, its files and the bed's while they
+// are written.
 constexpr std::int64_t k_table_millibytes = 100, k_ground_cell_bytes = 45;
 // Particles split where the flow is thin; a trial without splitting does not predict it.
 constexpr double k_unseen_growth = 1.5;
@@ -214,15 +215,16 @@ std::int64_t memory_of(const Prepared& prepared, std::int64_t in_use, const RunE
     if (prepared.scene.time.frame_interval > 0) engine += cells * k_frame_cell_bytes;
     if (prepared.scene.time.frame_interval > 0 && writes_particles(output))
         engine += course.particles * k_frame_particle_bytes;
-    const std::int64_t results = cells * k_result_cell_bytes;
+    const std::int64_t others = prepared.scene.grid.cell_count() - cells;
+    const bool tiled = prepared.scene.terrain.values.is_tiled();
+    const std::int64_t idle = tiled ? others * k_table_millibytes / 1000 : others * k_ground_cell_bytes;
+    if (tiled) engine += idle;
+    const std::int64_t results = cells * k_result_cell_bytes + idle;
     const bool charts = output.charts && draws_maps(prepared);
     const std::int64_t writing = results + steps * k_step_text_bytes,
                        drawing = results + memory_of_drawing(drawing_of(prepared, cells)) +
                                  steps * (charts ? k_step_chart_bytes : k_step_bytes);
-    const std::int64_t others = prepared.scene.grid.cell_count() - cells;
-    const std::int64_t ground =
-        prepared.scene.terrain.values.is_tiled() ? others * k_table_millibytes / 1000 : others * k_ground_cell_bytes;
-    return in_use + k_computing_bytes + ground + std::max({engine, writing, drawing});
+    return in_use + k_computing_bytes + std::max({engine, writing, drawing});
 }
 
 // No speed exceeds that of free fall: a step is at least the time to cross a cell at that speed plus the waves'.
