@@ -236,6 +236,16 @@ void make_normal(std::vector<NamedRaster>& rasters, const Raster& bed) {
             raster.values = normal_depth(raster.values, bed);
 }
 
+// What lay in the release before it moved hides how deep the flow became: its maximum elsewhere, where that is less.
+void add_outside_depth(const Raster& release, RunResult& result) {
+    Raster outside = result.raster(RasterName::max_depth);
+    const double deepest = maximum(outside);
+    outside.values.change_each_stored([&](std::size_t cell, double& depth) {
+        if (release.values[cell] > 0) depth = k_no_data;
+    });
+    if (maximum(outside) < deepest) result.add(RasterName::outside_depth, std::move(outside));
+}
+
 Stopwatch started() {
     Stopwatch watch;
     watch.start();
@@ -452,6 +462,7 @@ RunResult SteppedRun::finish() {
                elevation_change(result,
                                 arrivals_.waiting().empty() ? release_.depth : depth_that_failed(release_, arrivals_)));
     result.depth_is_normal = scene_.recording.normal_depth;
+    add_outside_depth(release_.depth, result);
     if (result.depth_is_normal) {
         make_normal(result.rasters, release_.bed);
         make_normal(result.low_flights, release_.bed);

@@ -244,6 +244,12 @@ void add_run(Table& table) {
     table.add(RasterName::dtm, RasterKind::given, "Terrain", "Terrain on the working grid", "m", "", k_even);
     table.add(RasterName::bed, RasterKind::given, "Bed", "Sliding surface", "m", "", k_even);
 
+    table.when("where the release is deeper than the flow outside of it", nullptr);
+    ResultRaster& outside =
+        table.flow(RasterName::outside_depth, "Maximum depth outside the release",
+                   "Maximum flow depth over time outside the release, vertical", "m", "depth", k_progressive);
+    outside.is_surface = outside.if_it_happens = true;
+
     table.when("at the end of a run", nullptr);
     table
         .flow(RasterName::elevation_change, "Change of elevation", "Deposit minus release and erosion, vertical", "m",

@@ -44,9 +44,9 @@ struct RasterName {
                                 *hit_count = "hit_count", *jump_height = "jump_height", *max_depth = "max_depth",
                                 *max_flux = "max_flux", *max_head = "max_head",
                                 *max_momentum_flux = "max_momentum_flux", *max_pressure = "max_pressure",
-                                *max_velocity = "max_velocity", *sensitivity = "sensitivity",
-                                *solid_depth = "solid_depth", *strain = "strain", *uncertainty = "uncertainty",
-                                *worst_source = "worst_source";
+                                *max_velocity = "max_velocity", *outside_depth = "outside_depth",
+                                *sensitivity = "sensitivity", *solid_depth = "solid_depth", *strain = "strain",
+                                *uncertainty = "uncertainty", *worst_source = "worst_source";
 };
 
 /// A raster that a result may contain as NAME.tif, or as one NAME_VALUE.tif for each of some values. The one list, from
