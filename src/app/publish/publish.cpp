@@ -341,7 +341,7 @@ PictureOutcome publish(const Finished& run, const ResultDirectory& directory, Fr
     const Prepared prepared = cut_to(run.prepared, *window);
     const RunResult result = cut_to(run.result, *window);
     publish_dtm(prepared, directory);
-    if (frames.count() > 0) frames.cut_to(*window);
+    if (frames.count() > 0) frames.cut_to(*window, run.threads);
     return publish_all(
         {prepared, result, run.threads, run.input_seconds, run.earlier_seconds, run.since_start, run.accuracy},
         directory, frames, log);

@@ -2,11 +2,9 @@
 #include "app/publish/publish_pictures.h"
 
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <new>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -23,6 +21,7 @@
 #include "app/store/vector_layers.h"
 #include "core/error.h"
 #include "core/module.h"
+#include "core/thread_pool.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
@@ -200,19 +199,13 @@ std::vector<Job> jobs_of(const PictureRequest& request) {
 }
 
 /// Does the jobs on some threads, this one among them. Returns what came of them, in their order.
-Drawings drawn_beside(const std::vector<Job>& jobs, std::size_t threads, const PictureRequest& request,
+Drawings drawn_beside(const std::vector<Job>& jobs, int threads, const PictureRequest& request,
                       const MapSource& source) {
     std::vector<Drawings> all(jobs.size());
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-        for (std::size_t i = next++; i < jobs.size(); i = next++)
-            all[i].guard("the pictures", [&] { jobs[i](Drawn(request, source, all[i])); });
-    };
-    {
-        std::vector<std::jthread> others;
-        for (std::size_t i = 1; i < std::min(threads, jobs.size()); ++i) others.emplace_back(work);
-        work();
-    }
+    ThreadPool(threads).for_each(jobs.size(), [&](std::size_t left) {  // the last is begun first
+        const std::size_t i = jobs.size() - 1 - left;
+        all[i].guard("the pictures", [&] { jobs[i](Drawn(request, source, all[i])); });
+    });
     Drawings drawn;
     for (const Drawings& one : all) drawn.add(one);
     return drawn;
@@ -254,7 +247,7 @@ PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log) {
         const MapSource source = map_source(written, request);
         // Each has its own tiles of a large map.
         const int threads = source.terrain.values.is_tiled() ? std::min(request.threads, 2) : request.threads;
-        drawings.add(drawn_beside(jobs, static_cast<std::size_t>(threads), request, source));
+        drawings.add(drawn_beside(jobs, threads, request, source));
         if (const auto warning = letter_warning()) drawings.warn(*warning);
     });
     return drawings.outcome(log);

@@ -16,6 +16,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/text.h"
+#include "core/thread_pool.h"
 #include "gis/raster/raster_in.h"
 #include "gis/raster/raster_out.h"
 #include "gis/vector/vector_out.h"
@@ -238,7 +239,7 @@ void FrameWriter::finish() {
     list(times_);
 }
 
-void FrameWriter::cut_to(const CellWindow& window) {
+void FrameWriter::cut_to(const CellWindow& window, int threads) {
     const fs::path folder = folder_, whole = folder.parent_path() / k_whole_frames,
                    cut = folder.parent_path() / k_cut_frames;
     const auto attempt = [](const fs::path& path, const auto& change) {
@@ -252,20 +253,32 @@ void FrameWriter::cut_to(const CellWindow& window) {
     };
     attempt(cut, [&](std::error_code& error) { fs::remove_all(cut, error); });  // of a killed program
     attempt(cut, [&](std::error_code& error) { fs::create_directories(cut, error); });
+    std::vector<std::string> rasters;
     for (const std::string& name : names_of_frames(folder.string(), times_.size())) {
-        if (!name.ends_with(".tif")) {  // particles do not depend on the map
+        if (name.ends_with(".tif")) {
+            rasters.push_back(name);
+        } else {  // particles do not depend on the map
             attempt(cut / name, [&](std::error_code& error) {
                 fs::create_hard_link(folder / name, cut / name, error);
                 if (error) fs::copy_file(folder / name, cut / name, fs::copy_options::overwrite_existing, error);
             });
-            continue;
         }
-        gis::BandText text = band_text(name.substr(0, name.rfind('_')), metadata_);
-        text.metadata["TIME_S"] = shortest_text(times_[frame_index(name).value()]);
-        gis::write_geotiff((cut / name).string(),
-                           frana::cut_to(gis::read_result_raster((folder / name).string()), window), text,
-                           gis::RasterUse::frame);
     }
+    std::vector<std::exception_ptr> errors(rasters.size());
+    ThreadPool(threads).for_each(rasters.size(), [&](std::size_t i) {
+        try {
+            const std::string& name = rasters[i];
+            gis::BandText text = band_text(name.substr(0, name.rfind('_')), metadata_);
+            text.metadata["TIME_S"] = shortest_text(times_[frame_index(name).value()]);
+            gis::write_geotiff((cut / name).string(),
+                               frana::cut_to(gis::read_result_raster((folder / name).string()), window), text,
+                               gis::RasterUse::frame);
+        } catch (...) {
+            errors[i] = std::current_exception();
+        }
+    });
+    for (const std::exception_ptr& error : errors)
+        if (error) std::rethrow_exception(error);
     folder_ = cut.string();
     list(times_);
     folder_ = folder.string();

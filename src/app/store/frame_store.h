@@ -85,7 +85,7 @@ class FrameWriter {
     void finish();
     /// After finish(): cuts the rasters of all frames to a window of their cells. The whole ones remain beside the
     /// folder (see frames_of_run) until the result is complete. Throws Error(environment).
-    void cut_to(const CellWindow& window);
+    void cut_to(const CellWindow& window, int threads);
     /// Of all frames so far [s].
     [[nodiscard]] const std::vector<double>& times() const noexcept { return times_; }
     [[nodiscard]] double seconds() const noexcept { return seconds_; }  ///< wall time by which add() delayed the run

@@ -111,7 +111,7 @@ TEST_F(Output, EveryRasterIsAValidCloudOptimisedGeotiffWithProvenance) {
         EXPECT_TRUE(band.GetMetadataItem("STATISTICS_MAXIMUM")) << file;
     }
     // Six results, release, dtm, bed, flux, head, momentum flux, hazard, comparison, three frames of two.
-    EXPECT_EQ(rasters, 6 + 3 + 3 + 1 + 1 + 6);
+    EXPECT_EQ(rasters, 6 + 3 + 3 + 1 + 1 + 1 + 6);
 }
 
 TEST_F(Output, GdalsOwnValidatorAgrees) {

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <nlohmann/json.hpp>
 
+#include "analysis/trace.h"
 #include "core/json.h"
 #include "core/raster.h"
 #include "gis/raster/raster_in.h"
@@ -141,6 +142,33 @@ TEST_F(ResultExtent, OfAResumedRunIsThatOfAStraightOne) {
     expect_same_at_coordinates("resumed", "straight");
     EXPECT_EQ(gis::read_result_raster(path("resumed/max_depth.tif")).grid.columns,
               gis::read_result_raster(path("straight/max_depth.tif")).grid.columns);
+}
+
+// On an even slope a release is deepest where it waited; where a trough gathers it, the flow is.
+TEST_F(ResultExtent, DepthOutsideTheReleaseIsALayerWhereTheReleaseHidesIt) {
+    write_scene();
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "hidden", "--quiet", "--set", "time.end=1.5"}).exit_code, 0);
+    const Raster all = gis::read_result_raster(path("hidden/max_depth.tif")),
+                 release = gis::read_result_raster(path("hidden/release.tif")),
+                 outside = gis::read_result_raster(path("hidden/outside_depth.tif"));
+    std::int64_t cells = 0;
+    for (std::int64_t row = 0; row < all.grid.rows; ++row)
+        for (std::int64_t column = 0; column < all.grid.columns; ++column) {
+            const double here = outside.at(row, column), depth = all.at(row, column);
+            const bool is_blank = release.at(row, column) > 0 || std::isnan(depth);
+            ASSERT_TRUE(is_blank ? std::isnan(here) : here == depth) << row << ' ' << column;
+            cells += !is_blank;
+        }
+    EXPECT_GT(cells, 0);
+    EXPECT_LT(maximum(outside), maximum(all));
+    write_dtm(
+        [](int row, int column) { return 300 - 2.5 * column + 1.0 * std::max(0, column - 18) * std::abs(row - 15); });
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "shown", "--quiet", "--set", "release.thickness=0.3", "--set",
+                     "time.end=12"})
+                  .exit_code,
+              0);
+    EXPECT_GT(maximum(gis::read_result_raster(path("shown/max_depth.tif"))), 0.3);
+    EXPECT_FALSE(fs::exists(path("shown/outside_depth.tif")));
 }
 
 }  // namespace
