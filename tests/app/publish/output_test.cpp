@@ -110,7 +110,8 @@ TEST_F(Output, EveryRasterIsAValidCloudOptimisedGeotiffWithProvenance) {
         EXPECT_STREQ(tif->GetMetadataItem("PREDICTOR", "IMAGE_STRUCTURE"), "3") << file;
         EXPECT_TRUE(band.GetMetadataItem("STATISTICS_MAXIMUM")) << file;
     }
-    // Six results, release, dtm, bed, flux, head, momentum flux, hazard, comparison, three frames of two.
+    // Six results, depth outside the release, release, dtm, bed, flux, head, momentum flux, hazard, comparison, three
+    // frames of two.
     EXPECT_EQ(rasters, 6 + 3 + 3 + 1 + 1 + 1 + 6);
 }
 
