@@ -329,14 +329,49 @@ class MapPage {
         if (!feature.shape.points.empty()) json["points"] = points_json(feature.shape.points, grid_);
         if (!feature.shape.lines.empty())
             for (const Polyline& line : feature.shape.lines) json["lines"].push_back(points_json(line, grid_));
-        for (const Polygon& polygon : feature.shape.areas) {
-            Json rings{points_json(polygon.outer, grid_)};
-            for (const Ring& hole : polygon.holes) rings.push_back(points_json(hole, grid_));
-            json["areas"].push_back(std::move(rings));
-        }
+        for (const Polygon& polygon : feature.shape.areas) json["areas"].push_back(rings_json(polygon));
         return json;
     }
-    [[nodiscard]] Json shapes() const {
+    [[nodiscard]] Json rings_json(const Polygon& polygon) const {
+        Json rings{points_json(polygon.outer, grid_)};
+        for (const Ring& hole : polygon.holes) rings.push_back(points_json(hole, grid_));
+        return rings;
+    }
+    /// What the scene gave to be seen and no file of the result has, as far as it meets the map: surroundings, walls,
+    /// obstacles, zones. Nothing can be asked of it.
+    void add_given(Json& all) {
+        const Bounds box = grid_.bounds();
+        const auto meets = [&](const std::vector<Point>& line) {
+            Bounds of{HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+            for (const Point& p : line)
+                of = {std::min(of.west, p.x), std::min(of.south, p.y), std::max(of.east, p.x), std::max(of.north, p.y)};
+            return of.west <= box.east && of.east >= box.west && of.south <= box.north && of.north >= box.south;
+        };
+        for (const render::Outline& mark : source_.marks) {
+            Json features = Json::array();
+            const auto add = [&](const char* kind, Json part) {
+                features.push_back({{"rows", Json::array()}, {kind, Json::array({std::move(part)})}});
+            };
+            for (const Polygon& polygon : mark.polygons)
+                if (meets(polygon.outer)) add("areas", rings_json(polygon));
+            for (const Polyline& line : mark.lines)
+                if (meets(line)) add("lines", points_json(line, grid_));
+            const bool is_there =
+                std::any_of(all.begin(), all.end(), [&](const Json& one) { return one["title"] == mark.label; });
+            if (is_there || features.empty()) continue;
+            const std::size_t bytes = features.dump().size();
+            if (bytes_ + bytes > k_most_bytes) {
+                left_out_.push_back(mark.label);
+                continue;
+            }
+            bytes_ += bytes;
+            const Json one{{"title", mark.label},    {"colour", css(mark.colour)},
+                           {"width", mark.width_px}, {"dashed", mark.dashed},
+                           {"visible", true},        {"features", std::move(features)}};
+            all.insert(all.begin(), one);
+        }
+    }
+    [[nodiscard]] Json shapes() {
         Json all = Json::array();
         const gis::AttributeTitles titles = attribute_titles(words_);
         for (const VectorLayer& row : vector_layers()) {
@@ -362,6 +397,7 @@ class MapPage {
             for (const ExposureLook& one : exposure_looks())
                 all.back()["looks"].push_back({{"colour", css(one.colour)}, {"label", words_(one.label)}});
         }
+        add_given(all);
         return all;
     }
     [[nodiscard]] std::string page(const Json& data) const {

@@ -258,5 +258,23 @@ TEST_F(MapPage, FillsAPageOnPaper) {
     EXPECT_EQ(told.at("before"), told.at("after"));
 }
 
+TEST_F(MapPage, ShowsRoadsOfTheSurroundingsThatMeetTheMap) {
+    std::ofstream roads(path("roads.geojson"));
+    roads.precision(12);
+    roads << R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": )"
+          << R"("urn:ogc:def:crs:EPSG::32632"}}, "features": [)";
+    for (const double north : {75.0, 9000.0})
+        roads << (north > 75 ? "," : "") << R"({"type": "Feature", "properties": {}, "geometry": {"type": )"
+              << R"("LineString", "coordinates": [[)" << k_west - 50 << ',' << k_south + north << "],[" << k_west + 400
+              << ',' << k_south + north << "]]}}";
+    roads << "]}";
+    roads.close();
+    run("map-context = roads.geojson");
+    const Json given = seen(
+        "seen = data.shapes.filter(one => one.title === 'Surroundings')"
+        ".map(one => [one.features.length, map.hasLayer(one.group)]);");
+    EXPECT_EQ(given, Json::array({Json::array({1, true})}));
+}
+
 }  // namespace
 }  // namespace frana::test
