@@ -25,7 +25,7 @@ std::string place_text(const MixedShape& shape, const ExposureRow& row) {
     if (shape.empty()) return "no geometry";
     if (row.place == MapPlace::outside) return "outside the map";
     if (!row.has_ground) return "no elevation";
-    return row.place == MapPlace::partly ? "partly outside the map" : "on the map";
+    return row.place == MapPlace::partly ? "partly outside the map" : k_on_map;
 }
 
 }  // namespace

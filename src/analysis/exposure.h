@@ -12,6 +12,9 @@
 
 namespace frana {
 
+/// ExposureRow's place of a feature that is wholly on the map.
+inline constexpr const char* k_on_map = "on the map";
+
 /// What a flow, or the worst of several, does to each exposed feature. A feature counts every cell that it touches
 /// (analysis/touched_cells.h).
 struct ExposureRasters {

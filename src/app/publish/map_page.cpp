@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "analysis/exposure.h"
 #include "analysis/trace.h"
 #include "app/input/share_directory.h"
 #include "app/pictures/map_layer.h"
@@ -17,6 +18,7 @@
 #include "app/store/vector_layers.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
+#include "app/text/text_table.h"
 #include "core/error.h"
 #include "core/json.h"
 #include "core/text.h"
@@ -313,19 +315,35 @@ class MapPage {
         }
         return found;
     }
-    [[nodiscard]] Json feature_json(const gis::Feature& feature, const gis::AttributeTitles& titles) const {
-        Json json, rows = Json::array();
+    /// Attributes that frana titles, those of the user, each by name. What a file needs for itself is not among them.
+    [[nodiscard]] Json rows_of(const gis::Feature& feature, const gis::AttributeTitles& titles) const {
+        std::vector<std::pair<std::string, std::string>> known, own;
         const auto add = [&](const std::string& column, const std::string& text) {
-            rows.push_back({shown_text(column_title(column, titles)), shown_text(text)});
+            const bool is_named =
+                column == "exposed" && std::any_of(feature.texts.begin(), feature.texts.end(), [&](const auto& one) {
+                    return one.first != column && one.second == text;
+                });
+            if (column == "feature" || is_named || text == k_on_map) return;
+            const std::string title = column_title(column, titles);
+            (title == column ? own : known).emplace_back(title, text);
         };
         for (const auto& [column, text] : feature.texts)
             if (!text.empty()) add(column, text);
         for (const auto& [column, number] : feature.numbers)
             if (std::isfinite(number)) add(column, words_.number(number_text(number, 4)));
+        Json rows = Json::array();
+        for (auto* const some : {&own, &known}) {
+            std::sort(some->begin(), some->end(),
+                      [](const auto& one, const auto& other) { return precedes(one.first, other.first); });
+            for (const auto& [title, text] : *some) rows.push_back({shown_text(title), shown_text(text)});
+        }
+        return rows;
+    }
+    [[nodiscard]] Json feature_json(const gis::Feature& feature, const gis::AttributeTitles& titles) const {
+        Json json{{"rows", rows_of(feature, titles)}};
         if (const auto reached = feature.numbers.find(k_reached); reached != feature.numbers.end())
             for (const ExposureLook& one : exposure_looks())
                 if (one.reached == reached->second) json["colour"] = css(one.colour);
-        json["rows"] = std::move(rows);
         if (!feature.shape.points.empty()) json["points"] = points_json(feature.shape.points, grid_);
         if (!feature.shape.lines.empty())
             for (const Polyline& line : feature.shape.lines) json["lines"].push_back(points_json(line, grid_));
