@@ -168,8 +168,9 @@ constexpr std::int64_t k_animation_bytes = 10'000'000, k_animation_pixel_bytes =
 constexpr std::int64_t k_step_bytes = 180, k_step_text_bytes = 450, k_step_chart_bytes = 1500;
 // Code and tables of computing and writing.
 constexpr std::int64_t k_computing_bytes = 20'000'000;
-// Frames waiting for the disk contain both quantities; particles eight numbers each, VTK's and GDAL's copies.
-constexpr std::int64_t k_frame_cell_bytes = 40, k_frame_particle_bytes = 330;
+// Frames waiting for the disk contain both quantities, and the last depth stays; particles eight numbers each, VTK's
+// and GDAL's copies.
+constexpr std::int64_t k_frame_cell_bytes = 48, k_frame_particle_bytes = 330;
 // Per cell that nothing reaches: tables of tiles; where the terrain is read whole, its files and the bed's while they
 // are written.
 constexpr std::int64_t k_table_millibytes = 100, k_ground_cell_bytes = 45;

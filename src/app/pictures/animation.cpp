@@ -51,17 +51,6 @@ Raster read_frame(const AnimationSource& of, const StoredFrame& frame, const std
     return values;
 }
 
-/// Volume of what left its cells between two depths, or came to others [m3].
-double moved_volume(const Raster& before, const Raster& after) {
-    double lost = 0, gained = 0;
-    const auto of = [](double depth) { return std::isnan(depth) ? 0 : depth; };
-    after.values.for_each_stored([&](std::size_t cell, double depth) {
-        const double more = of(depth) - of(before.values[cell]);
-        (more > 0 ? gained : lost) += std::abs(more);
-    });
-    return std::max(lost, gained) * after.grid.cell_area();
-}
-
 /// Draws a frame's particles or raster. `frame` is one of the source's.
 template <class Animator>
 render::Image draw_frame(Animator& animator, const StoredFrame& frame, const AnimationSource& of) {
@@ -78,12 +67,7 @@ render::Image draw_frame(Animator& animator, const StoredFrame& frame, const Ani
 /// takes no time and the film ends with the motion.
 std::vector<int> pace_of(const AnimationSource& of) {
     std::vector<double> moved;
-    Raster before;
-    for (const StoredFrame& frame : of.frames) {
-        Raster depth = read_frame(of, frame, k_depth_file.what);
-        moved.push_back(moved.empty() ? 0 : moved.back() + moved_volume(before, depth));
-        before = std::move(depth);
-    }
+    for (const StoredFrame& frame : of.frames) moved.push_back(frame.moved);
     return pictures_of_frames(moved, std::min(k_most_pictures, k_most_for_a_frame * static_cast<int>(moved.size())));
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +13,7 @@
 #include "analysis/trace.h"
 #include "app/process/terminal.h"
 #include "app/store/result_files.h"
+#include "app/text/number_text.h"
 #include "app/text/text_file.h"
 #include "core/error.h"
 #include "core/files.h"
@@ -182,9 +184,30 @@ void FrameWriter::write(const FrameFile& file, const Job& job) const {
 }
 
 void FrameWriter::list(const std::vector<double>& times) const {
-    std::string text = "index,time_s\n";
-    for (std::size_t i = 0; i < times.size(); ++i) text += std::to_string(i) + "," + shortest_text(times[i]) + "\n";
+    std::string text = "index,time_s,moved_m3\n";
+    for (std::size_t i = 0; i < times.size(); ++i)
+        text += std::to_string(i) + "," + shortest_text(times[i]) + "," + number_text(moved_[i], 8) + "\n";
     write_text_file(list_file(folder_), text);
+}
+
+// Volume of what left its cells since the last frame, or came to others. Depths as in the files and sums of whole
+// micrometres: the same bits after a resume.
+void FrameWriter::follow(const Raster& depth) {
+    std::int64_t lost = 0, gained = 0;
+    const auto of = [](double value) { return std::isnan(value) ? 0 : static_cast<double>(static_cast<float>(value)); };
+    if (!moved_.empty())
+        depth.values.for_each_stored([&](std::size_t cell, double value) {
+            const std::int64_t more = std::llround(1e6 * (of(value) - of(before_.values[cell])));
+            (more > 0 ? gained : lost) += std::abs(more);
+        });
+    const double volume = 1e-6 * static_cast<double>(std::max(lost, gained)) * depth.grid.cell_area();
+    moved_.push_back(moved_.empty() ? 0 : moved_.back() + volume);
+    before_ = depth;
+}
+
+// Those of the part of a resumed run that is done.
+void FrameWriter::follow_written(std::size_t count) {
+    while (moved_.size() < count) follow(gis::read_result_raster(frame_path(folder_, k_depth_file, moved_.size())));
 }
 
 void FrameWriter::serve() {
@@ -199,6 +222,8 @@ void FrameWriter::serve() {
         std::exception_ptr error;
         std::vector<FrameRecord> written;
         try {
+            follow_written(job.index);
+            follow(job.frame.depth);
             written = write(job);
             list(times);  // readers of an unfinished run find only complete frames
         } catch (...) {
@@ -236,6 +261,7 @@ bool FrameWriter::settle() {
 
 void FrameWriter::finish() {
     if (!settle()) require_good();
+    follow_written(times_.size());
     list(times_);
 }
 
@@ -303,16 +329,19 @@ std::vector<StoredFrame> stored_frames(const std::string& folder) {
     std::getline(file, line);
     while (std::getline(file, line)) {
         const auto words = words_of(trimmed(line));
-        const auto time = words.size() == 2 ? number_from_text(words[1]) : std::nullopt;
-        const bool next = time && integer_from_text(words[0]) == static_cast<std::int64_t>(frames.size());
-        if (!next || file.eof() || (!frames.empty() && *time < frames.back().time)) {
+        const auto time = words.size() == 3 ? number_from_text(words[1]) : std::nullopt;
+        const auto moved = time ? number_from_text(words[2]) : std::nullopt;
+        const bool next = moved && integer_from_text(words[0]) == static_cast<std::int64_t>(frames.size());
+        if (!next || file.eof() || (!frames.empty() && (*time < frames.back().time || *moved < frames.back().moved))) {
             throw Error(
                 ErrorKind::input,
-                Problem{"is not a list of frames: a line is not the next index with a time not before the last",
-                        list_file(folder), elided(valid_utf8(line), k_shown), "index,time_s", "The file is damaged"});
+                Problem{
+                    "is not a list of frames: a line is not the next index with a time and a volume not below the last",
+                    list_file(folder), elided(valid_utf8(line), k_shown), "index,time_s,moved_m3",
+                    "The file is damaged"});
         }
         const std::size_t index = frames.size();
-        frames.push_back({*time, folder, index, frame_path(folder, k_particle_table, index)});
+        frames.push_back({*time, *moved, folder, index, frame_path(folder, k_particle_table, index)});
     }
     if (frames.empty())
         throw Error(ErrorKind::input,

@@ -57,9 +57,9 @@ std::vector<std::string> names_of_frames(const std::string& folder, std::size_t 
 std::string frame_problem(const std::string& folder, const std::vector<FrameRecord>& records);
 
 /// Frames as files: FOLDER/depth_0000.tif, velocity_0000.tif, those of Frame::more, particles, and frames.csv (index,
-/// time_s). A separate thread writes them while the run continues, and lists the complete ones after each; at most two
-/// wait, so that a slow disk delays the run instead of filling the memory. After a frame that cannot be written none
-/// is: the run must stop.
+/// time_s, moved_m3: volume that has come to other cells up to the frame). A separate thread writes them while the run
+/// continues, and lists the complete ones after each; at most two wait, so that a slow disk delays the run instead of
+/// filling the memory. After a frame that cannot be written none is: the run must stop.
 class FrameWriter {
   public:
     /// `metadata` is written to every raster.
@@ -101,6 +101,8 @@ class FrameWriter {
     [[nodiscard]] std::vector<FrameRecord> write(const Job& job) const;
     void write(const FrameFile& file, const Job& job) const;
     void list(const std::vector<double>& times) const;
+    void follow(const Raster& depth);
+    void follow_written(std::size_t count);
     void serve();
 
     std::string folder_;
@@ -108,6 +110,8 @@ class FrameWriter {
     bool particles_;
     std::vector<double> times_;
     std::vector<FrameRecord> records_;
+    std::vector<double> moved_;  ///< up to each frame that is written [m3]
+    Raster before_;              ///< depth of the last of them
     double seconds_ = 0;
     mutable std::mutex mutex_;
     std::condition_variable changed_;
@@ -119,7 +123,8 @@ class FrameWriter {
 };
 
 struct StoredFrame {
-    double time = 0;  ///< [s]
+    double time = 0;   ///< [s]
+    double moved = 0;  ///< volume that has come to other cells until then [m3], rising
     std::string folder;
     std::size_t index = 0;
     std::string particle_file;  ///< exists only if output.formats requests it
