@@ -15,7 +15,7 @@ def values(path):
 
 def test_progress_and_cancel():
     """Progress is told; a cancelled run is resumed and gives the bits of an undisturbed one."""
-    parameters = dict(terrain_cell_size=5, time_end=60, release_thickness="8")
+    parameters = dict(terrain_cell_size=5, time_end=200, release_thickness="8", time_stop_change=0)
     told = Told()
     straight = run("run", scene("straight", **parameters), told)
     assert len(told.seen) >= 3 and told.seen == sorted(told.seen), told.seen
@@ -236,7 +236,7 @@ exec "$@"
         assert abs(direct["VOLUME_M3"] / 45000 - 1) < 1e-6, direct["VOLUME_M3"]
         assert "Release thickness" in refusal("run", scene("bad windows", release_thickness="-3"))
         feedback = Told()
-        stopped = scene("cancelled windows", terrain_cell_size=5, time_end=600, release_thickness="8", time_stop_change=0)
+        stopped = scene("cancelled windows", terrain_cell_size=5, time_end=6000, release_thickness="8", time_stop_change=0)
         import threading
         threading.Timer(4, feedback.cancel).start()
         try:
