@@ -264,9 +264,12 @@ void write_mixed(const std::string& gpkg_path, const std::string& crs_wkt, const
 
 void write_outlines(const std::string& gpkg_path, const std::string& crs_wkt, const std::vector<OutlineLayer>& layers) {
     std::vector<RowLayer> all;
+    std::set<std::string> descriptions;
     for (const OutlineLayer& layer : layers) {
         RowLayer& made = all.emplace_back(RowLayer{
             layer.name, wkbMultiPolygon, "area_m2", {}, style_or_default(layer.name, layer.style, Shape::area)});
+        if (!layer.description.empty())
+            made.options = {descriptions.insert("DESCRIPTION=" + layer.description).first->c_str(), nullptr};
         for (const PolygonFeature& one : layer.features)
             made.rows.push_back({to_ogr(one.parts), area(one.parts), &one.numbers, &one.texts});
     }

@@ -30,7 +30,8 @@ inline constexpr const char* k_style_table = "layer_styles";
 struct OutlineLayer {
     std::string name;  ///< "release", "trace", "deposit"
     std::vector<PolygonFeature> features;
-    StyleText style{};  ///< empty: outlines of the default look
+    StyleText style{};          ///< empty: outlines of the default look
+    std::string description{};  ///< in the table of contents
 };
 
 /// Features of one kind of shape.

@@ -111,8 +111,6 @@ CommandForm compare_form() {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Reads a raster of another program: depths on square cells in metres.
 Raster foreign_depth(const std::string& file) {
     refuse_scene(file);

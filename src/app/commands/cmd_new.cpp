@@ -289,12 +289,6 @@ struct Beginning {
 constexpr Beginning k_beginnings[] = {{"study", "also a study of the scene to begin with", study_text},
                                       {"region", "also a region of its polygons to begin with", region_text}};
 
-}  // namespace
-
-namespace fs = std::filesystem;
-
-namespace {
-
 /// Throws Error(input) for a word that is no preset.
 std::string preset_of(const std::string& word) {
     for (const MaterialPreset& preset : material_presets(materials_directory()))
@@ -348,29 +342,25 @@ int cmd_new(const Arguments& arguments) {
         throw Error(ErrorKind::input, Problem{"needs two files: the DTM and the perimeter of the release",
                                               "command line", "", "", "Usage: " + new_form().usage});
     const fs::path scene = fs::absolute(text_option(*values, "out").value_or("scene.ini")).lexically_normal();
-    const auto refuse_existing = [&](const char* option, const std::string& file) {
+    std::vector<std::pair<std::string, std::string>> outputs{{"--out", scene.string()}};
+    for (const Beginning& row : k_beginnings)
+        if (const auto file = text_option(*values, row.option))
+            outputs.emplace_back(std::string("--") + row.option, *file);
+    std::set<fs::path> all;
+    for (const auto& [option, file] : outputs) {
         if (fs::exists(file) && values->count("overwrite") == 0)
             throw Error(ErrorKind::input,
                         Problem{"exists already", option, file, "", "Choose another name, or add --overwrite"});
-    };
-    refuse_existing("--out", scene.string());
-    std::set<fs::path> all{scene};
-    for (const Beginning& row : k_beginnings) {
-        const auto file = text_option(*values, row.option);
-        if (!file) continue;
-        const std::string option = std::string("--") + row.option;
-        refuse_existing(option.c_str(), *file);
-        if (!all.insert(fs::absolute(*file).lexically_normal()).second)
+        if (!all.insert(fs::absolute(file).lexically_normal()).second)
             throw Error(ErrorKind::input,
-                        Problem{"is the same file as another", option, *file, "", "Choose another name"});
+                        Problem{"is the same file as another", option, file, "", "Choose another name"});
     }
-    const auto thickness = text_option(*values, "thickness");
     const fs::path folder = scene.parent_path();
     SceneDraft draft = draft_of(files[0], files[1]);
     draft.dtm = relative_path(absolute_path(files[0], fs::current_path().string()), folder.string());
     draft.perimeter = relative_path(absolute_path(files[1], fs::current_path().string()), folder.string());
     if (const auto preset = text_option(*values, "preset")) draft.preset = preset_of(*preset);
-    if (thickness) draft.thickness = thickness_of(*thickness, folder);
+    if (const auto thickness = text_option(*values, "thickness")) draft.thickness = thickness_of(*thickness, folder);
     std::error_code error;
     fs::create_directories(folder, error);
     if (error)

@@ -126,8 +126,6 @@ CommandForm qgis_plugin_form() {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr const char* k_default_profile = "default";
 
 /// Makes the folder of plugins. QGIS makes its default profile when it first starts; others are the user's to make.

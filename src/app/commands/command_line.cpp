@@ -26,6 +26,7 @@ namespace frana::app {
 const std::vector<Command>& commands() {
     static const std::vector<Command> list{
         {"new", "write a commented scene to begin with", new_form, cmd_new},
+        {"release", "screen where masses may start: a layer of release areas", release_form, cmd_release},
         {"run", "compute a scene; write rasters, maps, animation, comparison", run_form, cmd_run},
         {"check", "validate a scene, a study or a region and print what would run; writes nothing", check_form,
          cmd_check},

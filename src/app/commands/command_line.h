@@ -64,6 +64,8 @@ CommandForm bench_form();
 int cmd_bench(const Arguments& arguments);
 CommandForm new_form();
 int cmd_new(const Arguments& arguments);
+CommandForm release_form();
+int cmd_release(const Arguments& arguments);
 CommandForm params_form();
 int cmd_params(const Arguments& arguments);
 CommandForm qgis_plugin_form();

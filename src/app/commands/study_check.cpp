@@ -18,6 +18,7 @@
 #include "app/store/result_directory.h"
 #include "app/study/plan/calibration_input.h"
 #include "app/study/plan/region_input.h"
+#include "app/study/pool/calibration_runs.h"
 #include "app/study/pool/member_runs.h"
 #include "app/study/publish/scheme_check.h"
 #include "app/study/publish/study_exposure.h"

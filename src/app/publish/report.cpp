@@ -200,8 +200,6 @@ Document exposure_section(const std::optional<ExposureTotals>& totals, const Wor
 
 namespace {
 
-namespace fs = std::filesystem;
-
 std::string hazard_heading(const SceneSpec& spec, const Words& words) {
     const std::optional<HazardScheme> scheme = hazard_scheme_of(spec);
     return scheme && scheme->has_zones() ? words(scheme->heading) : words("Intensity classes");
