@@ -42,12 +42,12 @@ struct StartQuantity {
 };
 const StartQuantity k_start_quantities[]{
     {"--thickness", "M", "of what slides, vertical (required)", {0.05, 100}, "In metres: 80 cm is 0.8", {}},
-    {"--friction-angle", "DEGREES", "or limits of slope alone", {3, 60}, "In degrees: 35, not 0.7 or 0.61", {}, true},
+    {"--friction-angle", "DEGREES", "else slope alone decides", {3, 60}, "In degrees: 35, not 0.7 or 0.61", {}, true},
     {"--cohesion", "PA", "with that of roots (default: 0)", {100, 1e6}, "In pascal: 5 kPa is 5000", 0, true},
     {"--saturation", "FRACTION", "water table over thickness (default: 0)", {0, 1}, "A fraction: 50 % is 0.5", 0},
     {"--density", "KG/M3", "with its water (default: 2000)", {50, 3500}, "1.8 g/cm3, or 17.7 kN/m3, is 1800", 2000},
     {"--least-slope", "DEGREES", "on which masses start (default: 0)", {3, 89}, "In degrees: 28, not 0.5", 0, true},
-    {"--greatest-slope", "DEGREES", "(default: 90)", {3, 90}, "In degrees: 55, not 1.4", 90},
+    {"--greatest-slope", "DEGREES", "the same (default: 90)", {3, 90}, "In degrees: 55, not 1.4", 90},
     {"--convexity", "1/M", "greatest across the slope, 0.02: radius 50 m", {0, 1}, "6 per 100 m is 0.06", 1},
     {"--least-area", "M2", "smaller areas are left out (default: 500)", {0, 1e9}, "0.1 ha is 1000", 500},
 };
