@@ -206,9 +206,8 @@ class Sweeps {
     // Erosion and deposition: eroded material is at rest, deposited material leaves with its momentum.
     void exchange() {
         if (laws_.exchange_at_nodes == nullptr) return;
-        std::vector<ExchangeReport> reports(s_.n_strips);
-        pool_.for_each(s_.n_strips, [&](std::size_t n) {
-            const Region& r = s_.strips[n].region;
+        for_strips([&](Strip& strip) {
+            const Region& r = strip.region;
             const NodeRange range(r.i0, r.i1, r.j0, r.j1);
             range.for_each(c_.stride, [&](std::size_t k, std::int64_t, std::int64_t) {
                 const CellMotion motion = motion_of(s_, laws_, k);
@@ -217,7 +216,12 @@ class Sweeps {
             });
             laws_.exchange_at_nodes(range, laws_.exchange, v_.dt, 2 * v_.dry, s_.bed_states.data(), s_.nodes,
                                     s_.erodible_beds.data());
-            range.for_each(c_.stride, [&](std::size_t k, std::int64_t, std::int64_t) {
+        });
+        // After all have been computed: slopes are read across strips.
+        std::vector<ExchangeReport> reports(s_.n_strips);
+        pool_.for_each(s_.n_strips, [&](std::size_t n) {
+            const Region& r = s_.strips[n].region;
+            NodeRange(r.i0, r.i1, r.j0, r.j1).for_each(c_.stride, [&](std::size_t k, std::int64_t, std::int64_t) {
                 const double change = s_.erodible_beds[k].change;
                 if (change != 0) move_bed(k, change, reports[n]);
             });
