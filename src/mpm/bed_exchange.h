@@ -81,7 +81,10 @@ struct ErodibleBed {
     double deposited;  ///< so far [m]
     double gain;       ///< in this step, as a fraction of the node's volume [-]
     double loss;       ///< the same for deposition [-]
-    double change;     ///< of the bed in this step [m]
+    double change;     ///< of the bed in this step by erosion or deposition [m]
+    double forest;     ///< detrainment coefficient of the stand; 0: none [Pa]
+    double held;       ///< by forest in this step [m]
+    double kept;       ///< the sum of it, a part of `deposited` that is not eroded again [m]
 };
 
 /// Amounts exchanged between bed and flow.
@@ -118,7 +121,7 @@ void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Dep
     range.for_each(stride, [&](std::size_t i, std::int64_t column, std::int64_t row) {
         const NodeMotion& node = nodes.motion()[i];
         ErodibleBed& erodible_bed = beds[i];
-        erodible_bed.gain = erodible_bed.loss = erodible_bed.change = 0;
+        erodible_bed.gain = erodible_bed.loss = erodible_bed.change = erodible_bed.held = 0;
         if (!(node.mass > 0) || nodes.is_ghost(column, row) || (solid && solid[i])) return;
         const double climb = Metric ? climb_at(nodes.bed.data() + i, stride, half_inverse_dx, node.u, node.v) : 0;
         const double speed = speed_along_bed(node.u, node.v, climb);
@@ -132,7 +135,8 @@ void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Dep
                                  dt};
         const double to_fraction = cell_area / node.mass;
         if constexpr (Erosion::active) {
-            const double left = erodible_bed.erodible + erodible_bed.deposited - erodible_bed.eroded;
+            const double left =
+                erodible_bed.erodible + (erodible_bed.deposited - erodible_bed.kept) - erodible_bed.eroded;
             const double depth = std::min(erosion(contact) * dt * fraction, left);
             if (depth > 0) {
                 erodible_bed.eroded += depth;
@@ -153,9 +157,39 @@ void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Dep
     });
 }
 
+/// Takes from the flow what forest holds in this step, after exchange_at_nodes and beside it, down to the same least
+/// depth. Reads NodeMotion mass, velocity, fraction; bed; reads and writes ErodibleBed.
+template <bool Metric, class Detrainment>
+void detrain_at_nodes(const NodeRange& range, const Detrainment& detrainment, double dt, double least_depth,
+                      const NodeGrid& nodes, ErodibleBed* beds) {
+    const double half_inverse_dx = 0.5 / nodes.cell_size(), cell_area = nodes.cell_size() * nodes.cell_size();
+    const std::int64_t stride = nodes.stride();
+    const std::uint8_t* const solid = nodes.solid();
+    range.for_each(stride, [&](std::size_t i, std::int64_t column, std::int64_t row) {
+        const NodeMotion& node = nodes.motion()[i];
+        ErodibleBed& bed = beds[i];
+        if (!(bed.forest > 0 && node.mass > 0) || nodes.is_ghost(column, row) || (solid && solid[i])) return;
+        const auto climb = [&](double u, double v) {
+            return Metric ? climb_at(nodes.bed.data() + i, stride, half_inverse_dx, u, v) : 0;
+        };
+        const double speed = speed_along_bed(node.u, node.v, climb(node.u, node.v));
+        if (!(speed > 0)) return;
+        const double stretch = std::sqrt(1 + climb(1, 0) * climb(1, 0) + climb(0, 1) * climb(0, 1));
+        const double fraction = std::min(1.0, node.fraction);
+        const double most = node.mass / cell_area - least_depth * fraction - std::max(0.0, bed.change);
+        const double depth = std::min(detrainment(bed.forest, speed, stretch) * dt * fraction, most);
+        if (!(depth > 0)) return;
+        bed.held = depth;
+        bed.kept += depth;
+        bed.deposited += depth;
+        bed.loss += depth * cell_area / node.mass;
+    });
+}
+
 /// Moves the bed; a separate sweep, since slopes are read across tiles.
 inline void move_bed(const NodeRange& range, const ErodibleBed* beds, NodeGrid& nodes) {
-    range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t, std::int64_t) { nodes.bed[i] += beds[i].change; });
+    range.for_each(nodes.stride(),
+                   [&](std::size_t i, std::int64_t, std::int64_t) { nodes.bed[i] += beds[i].change + beds[i].held; });
 }
 
 /// Adds to particles what their nodes gained and removes what they lost, in proportion to their volume, area unchanged:

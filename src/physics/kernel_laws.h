@@ -5,6 +5,7 @@
 
 #include "physics/bed_contact.h"
 #include "physics/deposition_shear_stress.h"
+#include "physics/detrainment_forest.h"
 #include "physics/erosion_growth.h"
 #include "physics/erosion_mechanical.h"
 #include "physics/erosion_shear_stress.h"
@@ -26,5 +27,7 @@ using StressLaws = LawList<LawKind::in_plane_stress, BinghamStress, EarthPressur
 /// 2 metrics x 4 laws of erosion x 2 of deposition = 16 of exchange_at_nodes.
 using ErosionLaws = LawList<LawKind::erosion, ShearStressErosion, GrowthErosion, MechanicalErosion>;
 using DepositionLaws = LawList<LawKind::deposition, ShearStressDeposition>;
+/// A sweep of its own, 2 metrics: it acts beside both.
+using DetrainmentLaws = LawList<LawKind::detrainment, ForestDetrainment>;
 
 }  // namespace frana

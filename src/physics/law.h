@@ -21,7 +21,7 @@
 namespace frana {
 
 /// The key that selects a law.
-enum class LawKind { bed_friction, in_plane_stress, erosion, deposition };
+enum class LawKind { bed_friction, in_plane_stress, erosion, deposition, detrainment };
 
 /// The row of a law. From it follow: the words of the keys, missing and unread keys, the zones used, laws that exclude
 /// each other, the list of terms and the energy line of a large terrain.
@@ -36,7 +36,7 @@ struct Law {
     /// Friction coefficient up to which the law is defined: RAMMS's term (1 - mu) N_0 would be negative above 1.
     double greatest_friction = std::numeric_limits<double>::infinity();
     std::string angle_from_bed{};  ///< key of an angle below that of the bed's friction the law is not defined
-    std::string word{};            ///< of the key that selects it; "on" for deposition
+    std::string word{};            ///< of the key that selects it; "on" for deposition and detrainment
     LawKind kind = LawKind::bed_friction;
 
     [[nodiscard]] bool needs_key(const std::string& name) const { return contains(needs, name); }
@@ -50,7 +50,8 @@ struct Law {
     /// "material.bed-friction = chezy"
     [[nodiscard]] std::string selected_by() const {
         static constexpr const char* k_keys[] = {"material.bed-friction", "material.in-plane-stress",
-                                                 "entrainment.erosion", "entrainment.deposition"};
+                                                 "entrainment.erosion", "entrainment.deposition",
+                                                 "entrainment.detrainment"};
         return std::string(k_keys[static_cast<int>(kind)]) + " = " + word;
     }
 

@@ -27,6 +27,7 @@ void for_each_law_list(Visit&& visit) {
     visit.template operator()<StressLaws>();
     visit.template operator()<ErosionLaws>();
     visit.template operator()<DepositionLaws>();
+    visit.template operator()<DetrainmentLaws>();
 }
 
 /// What the laws of a material read of it: density and the values of all keys.

@@ -82,6 +82,8 @@ void exchange_stage(const NodeRange& range, const BedExchange& laws, double dt, 
             exchange_at_nodes<Metric>(range, erosion, deposition, laws.density, dt, least_depth, states, nodes, beds);
         },
         laws.erosion, laws.deposition);
+    if (const auto* const forest = std::get_if<ForestDetrainment>(&laws.detrainment))
+        detrain_at_nodes<Metric>(range, *forest, dt, least_depth, nodes, beds);
 }
 
 // Sets the law of a word.
@@ -248,6 +250,7 @@ BedExchange make_exchange(const Entrainment& entrainment, const Material& materi
                 pores.initial.solid_fraction};
     set_exchange<ErosionLaws>(entrainment.erosion, entrainment, density, laws.erosion);
     set_exchange<DepositionLaws>(entrainment.deposition ? "on" : "off", entrainment, density, laws.deposition);
+    set_exchange<DetrainmentLaws>(entrainment.detrainment ? "on" : "off", entrainment, density, laws.detrainment);
     return laws;
 }
 
@@ -255,14 +258,19 @@ BedExchange make_exchange(const Entrainment& entrainment, const Material& materi
 void set_erodible_beds(const Entrainment& entrainment, const MaterialZones& zones, NodeGrid& nodes,
                        ZeroArray<ErodibleBed>& beds) {
     beds = ZeroArray<ErodibleBed>(nodes.bed.size());
-    if (!entrainment.erodes()) return;
-    const Raster* const depths = zones.erodible_depth ? &*zones.erodible_depth : nullptr;
-    nodes.fill_with_ground(
-        [&nodes, &beds, depths, uniform = entrainment.erodible_depth.value_or(0)](const NodeGrid::Block& block) {
+    const auto fill = [&](double ErodibleBed::*value, const std::optional<Raster>& zones_of, double uniform) {
+        const Raster* const raster = zones_of ? &*zones_of : nullptr;
+        nodes.fill_with_ground([&nodes, &beds, value, raster, uniform](const NodeGrid::Block& block) {
             for (std::int64_t j = block.j0 - k_ghost; j < block.j1 - k_ghost; ++j)
                 for (std::int64_t i = block.i0 - k_ghost; i < block.i1 - k_ghost; ++i)
-                    beds[nodes.index(i, j)].erodible = depths == nullptr ? uniform : node_value(*depths, uniform, i, j);
+                    beds[nodes.index(i, j)].*value = raster == nullptr ? uniform : node_value(*raster, uniform, i, j);
         });
+    };
+    if (entrainment.erodes())
+        fill(&ErodibleBed::erodible, zones.erodible_depth, entrainment.erodible_depth.value_or(0));
+    if (entrainment.detrainment)
+        fill(&ErodibleBed::forest, zones.detrainment_coefficient,
+             entrainment.of<ForestDetrainment>().detrainment_coefficient.value_or(0));
 }
 
 double node_value(const Raster& raster, double uniform, std::int64_t i, std::int64_t j) {

@@ -254,6 +254,7 @@ struct RunResult {
     std::vector<ReleasedArea> released;  ///< in the order of Scene::release
     bool exchanges = false;              ///< whether the scene erodes or deposits; the next lines are 0 otherwise
     double volume_eroded = 0, volume_deposited = 0;  ///< [m3]
+    double volume_detrained = 0;                     ///< of the deposited, held by forest [m3]
     double momentum_deposited = 0;                   ///< of the deposits, magnitude of the sum [kg m/s]
     double thin_fraction = 0;          ///< greatest fraction of the volume thinner than the minimum depth at any time
     double moving_fraction_limit = 0;  ///< of the volume, faster than the scene's moving speed after the last step

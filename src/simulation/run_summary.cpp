@@ -203,6 +203,7 @@ Json volume_json(const RunResult& result) {
         volume["eroded_m3"] = result.volume_eroded;
         volume["deposited_m3"] = result.volume_deposited;
     }
+    if (result.volume_detrained > 0) volume["detrained_m3"] = result.volume_detrained;
     if (result.volume_rained > 0) volume["rain_m3"] = result.volume_rained;
     if (result.volume_infiltrated > 0) volume["infiltrated_m3"] = result.volume_infiltrated;
     volume["relative_error"] = relative_volume_error(result);

@@ -52,10 +52,11 @@ struct StructuredMaterial : StructuredValues, SolidValues {
 /// Parameters that vary from place to place: rasters on the working grid. NaN: the uniform value of Material (and of
 /// Entrainment) applies. A missing raster costs nothing.
 struct MaterialZones {
-    std::optional<Raster> friction_coefficient;  ///< tan(phi) [-], >= 0
-    std::optional<Raster> turbulence;            ///< Voellmy xi [m/s2], > 0; infinity: off
-    std::optional<Raster> cohesion;              ///< [Pa], >= 0
-    std::optional<Raster> erodible_depth;        ///< vertical [m], >= 0
+    std::optional<Raster> friction_coefficient;     ///< tan(phi) [-], >= 0
+    std::optional<Raster> turbulence;               ///< Voellmy xi [m/s2], > 0; infinity: off
+    std::optional<Raster> cohesion;                 ///< [Pa], >= 0
+    std::optional<Raster> erodible_depth;           ///< vertical [m], >= 0
+    std::optional<Raster> detrainment_coefficient;  ///< [Pa], >= 0
 };
 /// All of them, by the quantities of params/keys/zone_keys.cpp.
 struct ZoneRaster {
@@ -66,7 +67,8 @@ struct ZoneRaster {
 inline constexpr ZoneRaster k_zone_rasters[] = {{"friction", &MaterialZones::friction_coefficient},
                                                 {"turbulence", &MaterialZones::turbulence},
                                                 {"cohesion", &MaterialZones::cohesion},
-                                                {"erodible depth", &MaterialZones::erodible_depth, false}};
+                                                {"erodible depth", &MaterialZones::erodible_depth, false},
+                                                {"detrainment", &MaterialZones::detrainment_coefficient, false}};
 
 struct TimeControl : TimeValues {
     double end = 0;  ///< [s]; src/params sets the default of scene files

@@ -81,6 +81,9 @@ void Model::add_exchange(const ZeroArray<ErodibleBed>& beds, const ExchangeRepor
     result.add(RasterName::deposited_depth, depths(&ErodibleBed::deposited));
     result.volume_eroded = exchanged.eroded;
     result.volume_deposited = exchanged.deposited;
+    depths(&ErodibleBed::kept).values.for_each_stored([&](std::size_t, double depth) {
+        if (depth > 0) result.volume_detrained += depth * grid().cell_area();
+    });
     result.momentum_deposited = density() * std::hypot(exchanged.momentum_x, exchanged.momentum_y);
 }
 

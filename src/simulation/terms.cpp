@@ -40,6 +40,7 @@ void add_bed(const Scene& scene, Terms& terms) {
 void add_exchange(const Entrainment& entrainment, Terms& terms) {
     if (entrainment.erodes()) terms.push_back(find_law(LawKind::erosion, entrainment.erosion).sentence);
     if (entrainment.deposition) terms.push_back(find_law(LawKind::deposition, ShearStressDeposition::word).sentence);
+    if (entrainment.detrainment) terms.push_back(find_law(LawKind::detrainment, ForestDetrainment::word).sentence);
 }
 
 void add_finite_volumes(Terms& terms) {

@@ -77,6 +77,6 @@ inline const std::string k_structured =
     "[numerics]\nparticles-per-cell = 9\n";
 inline const std::string k_entrainment =
     "[entrainment]\nerosion = growth\ngrowth-rate = 0.005\nerodible-depth = 0.5\ndeposition = on\n"
-    "deposition-rate = 0.01\ndeposition-shear-stress = 2000\n";
+    "deposition-rate = 0.01\ndeposition-shear-stress = 2000\ndetrainment = on\ndetrainment-coefficient = 20\n";
 
 }  // namespace frana::test

@@ -63,6 +63,8 @@ inline Scene eventful() {
     scene.entrainment.deposition = true;
     scene.entrainment.of<ShearStressDeposition>().deposition_rate = 0.01;
     scene.entrainment.of<ShearStressDeposition>().deposition_shear = 1000;
+    scene.entrainment.detrainment = true;
+    scene.entrainment.of<ForestDetrainment>().detrainment_coefficient = 20;
     scene.recording.gauges = {{"a", {90, 60}}, {"b", {150, 60}}};
     scene.recording.sections = {{"s", {{100, 10}, {100, 110}}}};
     scene.recording.interval = 0.7;
@@ -284,8 +286,8 @@ inline void expect_same(const RunResult& a, const RunResult& b) {
     for (double RunResult::*number :
          {&RunResult::simulated_seconds, &RunResult::volume_initial, &RunResult::volume_final, &RunResult::volume_left,
           &RunResult::volume_entered, &RunResult::volume_inflow, &RunResult::volume_eroded,
-          &RunResult::volume_deposited, &RunResult::momentum_deposited, &RunResult::thin_fraction,
-          &RunResult::moving_fraction_limit, &RunResult::volume_shown})
+          &RunResult::volume_deposited, &RunResult::volume_detrained, &RunResult::momentum_deposited,
+          &RunResult::thin_fraction, &RunResult::moving_fraction_limit, &RunResult::volume_shown})
         EXPECT_EQ(std::bit_cast<std::uint64_t>(a.*number), std::bit_cast<std::uint64_t>(b.*number));
     EXPECT_EQ(a.stop_reason, b.stop_reason);
     ASSERT_EQ(a.settling.has_value(), b.settling.has_value());

@@ -185,6 +185,7 @@ Document budget_table(const RunResult& r, const Words& words) {
         volume(words("Eroded from the bed"), r.volume_eroded);
         volume(words("Deposited on the bed"), r.volume_deposited);
     }
+    if (r.volume_detrained > 0) volume(words("Of this held by forest"), r.volume_detrained);
     if (const auto& p = r.phases) {
         const auto volumes = [&](const std::string& name, const std::vector<double>& values) {
             std::vector<std::string> texts;

@@ -15,7 +15,7 @@ namespace frana::app {
 
 /// Format of checkpoint files: increases with every change of the output of any serialise or of its use by a step. No
 /// other format is read: a run begun by an older frana would not end with the same bits.
-inline constexpr std::uint32_t k_checkpoint_format = 19;
+inline constexpr std::uint32_t k_checkpoint_format = 20;
 
 /// Description in a checkpoint of its run.
 struct CheckpointHead {

@@ -203,7 +203,7 @@ class Sweeps {
             }
         });
     }
-    // Erosion and deposition: eroded material is at rest, deposited material leaves with its momentum.
+    // Eroded material is at rest, deposited and detrained material leaves with its momentum.
     void exchange() {
         if (laws_.exchange_at_nodes == nullptr) return;
         for_strips([&](Strip& strip) {
@@ -222,8 +222,9 @@ class Sweeps {
         pool_.for_each(s_.n_strips, [&](std::size_t n) {
             const Region& r = s_.strips[n].region;
             NodeRange(r.i0, r.i1, r.j0, r.j1).for_each(c_.stride, [&](std::size_t k, std::int64_t, std::int64_t) {
-                const double change = s_.erodible_beds[k].change;
-                if (change != 0) move_bed(k, change, reports[n]);
+                const ErodibleBed& bed = s_.erodible_beds[k];
+                for (const double change : {bed.change, bed.held})
+                    if (change != 0) move_bed(k, change, reports[n]);
             });
         });
         for (const ExchangeReport& report : reports) s_.exchanged.merge(report);

@@ -73,10 +73,11 @@ struct PlaneStressLaw {
     double wave_factor = 1;  ///< square of the factor on the speed of pressure waves
 };
 
-/// Erosion and deposition: one law of each, or none.
+/// Erosion, deposition and detrainment: one law of each, or none.
 struct BedExchange {
     ErosionLaws::Chosen<NoExchange> erosion;
     DepositionLaws::Chosen<NoExchange> deposition;
+    DetrainmentLaws::Chosen<NoExchange> detrainment;
     PorePressure::State bed;          ///< of eroded material
     double density = k_flow_density;  ///< [kg/m3]
 };

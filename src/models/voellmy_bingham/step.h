@@ -19,7 +19,7 @@ inline void kick_and_drift(Step& now) {
     pore_pressure(now);        // dr = -dt (r - r_h) / T, if the scene has it; its means at the nodes
     bed_resistance(now);       // the sum of the scene's laws; where it holds slow material
     update_nodes(now);         // v = cap(p/m + dt a; resistance), held nodes stay at rest; maxima
-    exchange_with_bed(now);    // erosion and deposition, if the scene has them
+    exchange_with_bed(now);    // erosion, deposition, detrainment, if the scene has them
     nodes_to_particles(now);   // v, C, x += dt v, A *= det(I + dt grad v), relaxed and shifted; stress
 }
 

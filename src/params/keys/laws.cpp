@@ -155,7 +155,8 @@ std::vector<const Law*> laws_of(const SceneSpec& scene) {
         const bool selected = (law.kind == LawKind::bed_friction && contains(terms, law.word)) ||
                               (law.kind == LawKind::in_plane_stress && law.word == in_plane_stress(scene.material)) ||
                               (law.kind == LawKind::erosion && law.word == scene.entrainment.erosion) ||
-                              (law.kind == LawKind::deposition && scene.entrainment.deposition);
+                              (law.kind == LawKind::deposition && scene.entrainment.deposition) ||
+                              (law.kind == LawKind::detrainment && scene.entrainment.detrainment);
         if (selected) some.push_back(&law);
     }
     return some;

@@ -242,6 +242,9 @@ void add_entrainment(std::vector<Parameter>& list) {
     list.push_back(on_off("entrainment.deposition", FRANA_MEMBER(entrainment.deposition),
                           "Deposit material where the bed shear stress is below deposition-shear-stress."));
     add_keys_of<DepositionLaws>(list, FRANA_MEMBER(entrainment));
+    list.push_back(on_off("entrainment.detrainment", FRANA_MEMBER(entrainment.detrainment),
+                          "Forest holds back flowing snow (Feistl et al. 2014)."));
+    add_keys_of<DetrainmentLaws>(list, FRANA_MEMBER(entrainment));
     name_laws(list, first);
 }
 

@@ -291,7 +291,7 @@ void add_choices(Table& table) {
     head.classes = "max-head";
 
     table.when("with `[entrainment]`", [](const SceneSpec& scene) {
-        return scene.entrainment.erosion != "off" || scene.entrainment.deposition;
+        return scene.entrainment.active();
     });
     table.flow(RasterName::eroded_depth, "Eroded depth", "Depth eroded from the bed, vertical", "m", "depth",
                k_progressive);

@@ -70,7 +70,8 @@ struct InflowSpec {
 
 /// [zones]
 struct ZonesSpec {
-    std::optional<SourceSpec> friction_angle, friction_coefficient, turbulence, cohesion, erodible_depth;
+    std::optional<SourceSpec> friction_angle, friction_coefficient, turbulence, cohesion, erodible_depth,
+        detrainment_coefficient;
 };
 
 /// Keys of [material]: bed friction by place after a published table.

@@ -24,11 +24,11 @@ struct Material : LawValues {
 /// [entrainment]
 struct Entrainment : LawValues {
     std::string erosion = "off";  ///< or the word of a law
-    bool deposition = false;
+    bool deposition = false, detrainment = false;
     std::optional<double> erodible_depth;  ///< vertical, where MaterialZones has no value [m]
 
     [[nodiscard]] bool erodes() const noexcept { return erosion != "off"; }
-    [[nodiscard]] bool active() const noexcept { return erodes() || deposition; }
+    [[nodiscard]] bool active() const noexcept { return erodes() || deposition || detrainment; }
 };
 
 struct StructuredValues {

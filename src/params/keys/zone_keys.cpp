@@ -26,7 +26,9 @@ const std::vector<ZoneKey>& zone_keys() {
         zone("cohesion", &Zones::cohesion, "cohesion", "Pa", Range{0, 1e6}, ColumnNames{"cohesion"},
              "Bed cohesion by place."),
         zone("erodible-depth", &Zones::erodible_depth, "erodible depth", "m", Range{0, 1000},
-             ColumnNames{"erodible_depth"}, "Erodible depth by place, vertical.")};
+             ColumnNames{"erodible_depth"}, "Erodible depth by place, vertical."),
+        zone("detrainment-coefficient", &Zones::detrainment_coefficient, "detrainment", "Pa", Range{0, 1e4},
+             ColumnNames{"detrainment_coefficient", "detrainment"}, "Detrainment coefficient K where forest stands.")};
     return keys;
 }
 

@@ -79,8 +79,9 @@ InputFiles::Sample InputFiles::raster_sample_of(const Parameter& key) const {
     const std::vector<const Law*> readers = readers_of(name);
     if (readers.empty()) return sample;
     const Law& law = *readers.front();
-    sample.sets.push_back(law.kind == LawKind::erosion ? "entrainment.erosion=" + law.word
-                                                       : "material.bed-friction=voellmy, " + law.word);
+    std::string selected = law.selected_by();
+    std::erase(selected, ' ');
+    sample.sets.push_back(law.kind != LawKind::bed_friction ? selected : "material.bed-friction=voellmy, " + law.word);
     return sample;
 }
 

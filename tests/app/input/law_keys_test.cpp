@@ -49,7 +49,8 @@ const std::map<std::string, std::pair<std::string, std::string>> k_values{
     {"entrainment.bed-pore-pressure-ratio", {"0.1", "0.3"}},
     {"entrainment.bed-friction-angle", {"10", "14"}},
     {"entrainment.deposition-rate", {"0.02", "0.05"}},
-    {"entrainment.deposition-shear-stress", {"20000", "40000"}}};
+    {"entrainment.deposition-shear-stress", {"20000", "40000"}},
+    {"entrainment.detrainment-coefficient", {"200", "1000"}}};
 
 class LawKeys : public TinyScene {
   protected:

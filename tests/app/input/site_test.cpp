@@ -100,7 +100,7 @@ TEST_F(Site, ZonesByRasterHaveTheirDefaultOutside) {
     EXPECT_LT(summary("horizontal_m"), 0.8 * reach);
 }
 
-TEST_F(Site, ZonesOfTurbulenceCohesionAndErodibleDepth) {
+TEST_F(Site, ZonesOfTurbulenceCohesionErodibleDepthAndForest) {
     run_with("");
     const double fastest = summary("max_velocity_ms");
     // Very high drag below the release: v^2 = xi h (sin - mu cos) stays below 1 m2/s2 for 4 m of depth.
@@ -127,6 +127,17 @@ TEST_F(Site, ZonesOfTurbulenceCohesionAndErodibleDepth) {
             const double depth = eroded.at(r, c);
             EXPECT_FALSE(depth > (c < 19 ? 0 : 0.5 + 1e-6)) << r << ", " << c;
         }
+    // Forest from 100 m on holds some of what comes.
+    write_features("zones", {{box(100, 0, 300, 150), R"("detrainment": 400)"}});
+    run_with(
+        "[terrain]\nfriction-zones = zones.geojson\n[entrainment]\ndetrainment = on\n"
+        "detrainment-coefficient = 0\n",
+        "forest");
+    EXPECT_GT(summary("detrained_m3", "forest"), 1);
+    EXPECT_LT(summary("relative_error", "forest"), 1e-12);
+    const Raster held = result("deposited_depth", "forest");
+    for (std::int64_t r = 0; r < held.grid.rows; ++r)
+        for (std::int64_t c = 0; c < 19; ++c) EXPECT_FALSE(held.at(r, c) > 0) << r << ", " << c;
 }
 
 // A straight channel of curvature 0.01 across its axis: at a distance y from it the slope is (0.5, 0.01 y), and the

@@ -361,10 +361,13 @@ TEST(FiniteVolumes, ExchangeWithTheBedIsInTheBudget) {
     entrainment.erosion = "growth";
     entrainment.of<GrowthErosion>().growth_rate = 0.02;
     entrainment.erodible_depth = 0.5;
+    entrainment.detrainment = true;
+    entrainment.of<ForestDetrainment>().detrainment_coefficient = 500;
     FiniteVolumeFlow flow(bed, std::nullopt, seeds, dry_friction(10), volumes(Boundary::open), 1, {}, entrainment);
     const double start = flow.volume();
     flow.advance_to(8);
     const BedBudget budget = flow.bed_budget();
+    EXPECT_GT(budget.deposited, 0.02 * start);
     EXPECT_GT(budget.eroded, 0.02 * start);
     EXPECT_NEAR(flow.volume() + flow.volume_left(), start + budget.eroded - budget.deposited, 1e-12 * start);
 }

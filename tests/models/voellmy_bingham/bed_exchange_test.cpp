@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Erosion and deposition: rates against their closed forms, budgets of mass and momentum to rounding.
+// Erosion, deposition, detrainment: rates against their closed forms, budgets of mass and momentum to rounding.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -7,6 +7,7 @@
 #include "physics/erosion_mechanical.h"
 #include "physics/erosion_shear_stress.h"
 #include "physics/laws.h"
+#include "simulation/finite_volume_flow.h"
 #include "support/cases.h"
 
 namespace frana::test {
@@ -197,6 +198,110 @@ TEST(BedExchange, ErodibleDepthByZones) {
     EXPECT_EQ(steady_slab(e, 2, 4, 1, zones).eroded, 0);
     for (std::int64_t c = 50; c < 70; ++c) zones.erodible_depth->at(4, c) = 0.01;
     EXPECT_NEAR(steady_slab(e, 2, 4, 1, zones).eroded, 0.01, 1e-15);
+}
+
+Entrainment forest(double coefficient) {
+    Entrainment e;
+    e.detrainment = true;
+    e.of<ForestDetrainment>().detrainment_coefficient = coefficient;
+    return e;
+}
+
+// At a steady speed the sheet loses K / (rho s) t of its height: 400 Pa / (2000 kg/m3 x 4 m/s) = 0.05 m/s.
+TEST(Detrainment, TakesHeightLinearlyInTimeAtASteadySpeed) {
+    for (const double time : {1.0, 2.0, 4.0}) {
+        const SteadySlab slab = steady_slab(forest(400), 0, 4, time);
+        EXPECT_NEAR(slab.deposited, 0.05 * time, 1e-9);
+        EXPECT_EQ(slab.eroded, 0);
+    }
+}
+
+TEST(Detrainment, IsWhereForestStandsAlone) {
+    MaterialZones zones;
+    zones.detrainment_coefficient = Raster(bench::plain_grid(120, 8, 1), k_no_data);
+    Entrainment e = forest(0);
+    EXPECT_EQ(steady_slab(e, 0, 4, 1, zones).deposited, 0);
+    for (std::int64_t r = 0; r < 8; ++r)
+        for (std::int64_t c = 60; c < 120; ++c) zones.detrainment_coefficient->at(r, c) = 400;
+    EXPECT_NEAR(steady_slab(e, 0, 4, 1, zones).deposited, 0.5 * 0.05, 1e-3) << "half of the ten cells";
+    e.of<ForestDetrainment>().detrainment_coefficient.reset();
+    EXPECT_NEAR(steady_slab(e, 0, 4, 1, zones).deposited, 0.5 * 0.05, 1e-3) << "no other value than the zones'";
+}
+
+// The rate is that of the thickness normal to the bed, the speed that along it: on a plane, where friction balances the
+// fall, the vertical depth decreases by K / (rho u), u in map view.
+template <class Model>
+void expect_rate_on_plane(Scheme scheme) {
+    const double fall = 0.5, u = 6, time = 2;
+    const GridSpec grid = bench::plain_grid(120, 8, 1);
+    const Raster bed = bench::sample_raster(grid, [&](Point p) { return fall * (120 - p.x); });
+    const ParticleSet seeds = bench::fill_lattice(grid, 2, 0, [&](Point p) {
+        return bench::Seed{p.x > 10 && p.x < 110 ? 1.0 : 0, u, 0};
+    });
+    Material material = water();
+    material.density = k_exchanged_density;
+    material.of<CoulombFriction>().friction_coefficient = fall;
+    Numerics how = numerics(scheme, SlopeCorrection::normal, Boundary::wall);
+    how.curvature = false;
+    std::unique_ptr<Model> flow;
+    if constexpr (std::is_same_v<Model, Flow>)
+        flow = std::make_unique<Flow>(bed, seeds, material, how, 1, std::nullopt, MaterialZones{}, forest(600));
+    else
+        flow = std::make_unique<Model>(bed, std::nullopt, seeds, material, how, 1, MaterialZones{}, forest(600));
+    const double start = flow->volume();
+    flow->advance_to(time);
+    RunResult result;
+    flow->add_to(result);
+    const double exact = 600 / (k_exchanged_density * u) * time;
+    for (std::int64_t c = 60; c < 65; ++c) EXPECT_NEAR(result.raster("deposited_depth").at(4, c), exact, 5e-3 * exact);
+    EXPECT_NEAR(flow->volume() + flow->volume_left(), start - result.volume_deposited, 1e-12 * start);
+    EXPECT_NEAR(result.volume_detrained, result.volume_deposited, 1e-12 * start);
+}
+
+TEST(Detrainment, IsPerAreaOfTheBed) {
+    expect_rate_on_plane<Flow>(Scheme::standard);
+    expect_rate_on_plane<FiniteVolumeFlow>(Scheme::finite_volume);
+}
+
+TEST(Detrainment, RemovesItsMomentumAndLeavesTheSpeed) {
+    Flow flow = drifting_sheet(forest(1000));
+    const double volume = flow.volume(), momentum = momentum_x(flow);
+    flow.advance_to(4);
+    EXPECT_GT(flow.exchanged().deposited, 0.3 * volume);
+    EXPECT_NEAR(flow.volume(), volume - flow.exchanged().deposited, 1e-12 * volume);
+    EXPECT_NEAR(momentum_x(flow), momentum - flow.exchanged().momentum_x, 1e-12 * momentum);
+    EXPECT_NEAR(momentum_x(flow) / flow.volume(), 5, 1e-9);
+}
+
+// What forest holds is not eroded again, though the law of erosion may take what deposition has left.
+TEST(Detrainment, ActsBesideErosionAndIsKept) {
+    Entrainment e = forest(1000);
+    e.erosion = "growth";
+    e.of<GrowthErosion>().growth_rate = 5e-3;
+    e.erodible_depth = 0;
+    Flow none = drifting_sheet(e);
+    none.advance_to(2);
+    EXPECT_EQ(none.exchanged().eroded, 0);
+    EXPECT_GT(none.exchanged().deposited, 1);
+    e.erodible_depth = 5;
+    Flow flow = drifting_sheet(e);
+    const double volume = flow.volume(), momentum = momentum_x(flow);
+    flow.advance_to(2);
+    const ExchangeReport& both = flow.exchanged();
+    EXPECT_GT(both.eroded, 1);
+    EXPECT_GT(both.deposited, 1);
+    EXPECT_NEAR(flow.volume(), volume + both.eroded - both.deposited, 1e-12 * volume);
+    EXPECT_NEAR(momentum_x(flow), momentum - both.momentum_x, 1e-12 * momentum);
+}
+
+// Towards speed zero the rate has no bound; particles keep a volume. What does not move stays.
+TEST(Detrainment, HoldsWhatCreepsAndLeavesWhatLies) {
+    Flow flow = drifting_sheet(forest(1e4));
+    flow.advance_to(5);
+    const ParticleSet& p = flow.particles();
+    for (std::size_t i = 0; i < p.size(); ++i) ASSERT_GT(p[Field::volume][i], 0);
+    EXPECT_LT(flow.volume(), 10);
+    EXPECT_EQ(steady_slab(forest(1e4), 0, 0, 1).deposited, 0);
 }
 
 // Bed, volumes and momenta are the same bits for any number of threads, on a slope with walls, with exchange in both

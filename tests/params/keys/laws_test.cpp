@@ -125,6 +125,8 @@ INSTANTIATE_TEST_SUITE_P(
         LawCase{"deposition_without_rate",
                 "[material]\nfriction-angle = 20\n[entrainment]\ndeposition = on\ndeposition-shear-stress = 500\n",
                 "entrainment.deposition-rate"},
+        LawCase{"detrainment_without_coefficient", "[material]\nfriction-angle = 20\n[entrainment]\ndetrainment = on\n",
+                "entrainment.detrainment-coefficient"},
         LawCase{"curvature_in_the_gentle_form",
                 "[material]\nfriction-angle = 20\n[numerics]\ncurvature = on\nslope-correction = none\n",
                 "numerics.curvature", "on", "off"}),

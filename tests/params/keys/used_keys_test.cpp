@@ -31,6 +31,7 @@ TEST(UsedKeys, FollowTheLaws) {
             if (law.kind == LawKind::in_plane_stress) scene.material.in_plane_stress = law.word;
             if (law.kind == LawKind::erosion) scene.entrainment.erosion = law.word;
             if (law.kind == LawKind::deposition) scene.entrainment.deposition = true;
+            if (law.kind == LawKind::detrainment) scene.entrainment.detrainment = true;
             EXPECT_EQ(is_used(scene, key, true), law.reads_key(name)) << name << " with " << law.word;
             scene.origins[name] = Origin::scene_file;
             EXPECT_TRUE(is_used(scene, key, false)) << name << " is given";
