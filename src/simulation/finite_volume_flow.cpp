@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "simulation/dispatch.h"
+#include "simulation/plane_stress.h"
 #include "simulation/run_warnings.h"
 #include "simulation/scene.h"
 
@@ -230,6 +231,12 @@ Model::Snapshot FiniteVolumeFlow::snapshot() {
     const double least = laws_.values.minimum_depth;
     return {raster_of([&](std::size_t k) { return state_.depth[k] >= least ? state_.depth[k] : k_no_data; }),
             raster_of([&](std::size_t k) { return state_.depth[k] >= least ? motion_of(k).speed : k_no_data; })};
+}
+
+std::vector<NamedRaster> FiniteVolumeFlow::plane_stress(const Raster& depth, PointTable&) {
+    return plane_stress_rasters(laws_.stress, density(), laws_.values.gravity, depth,
+                                raster_of([&](std::size_t k) { return motion_of(k).u; }),
+                                raster_of([&](std::size_t k) { return motion_of(k).v; }));
 }
 
 void FiniteVolumeFlow::add_to(RunResult& result) const {

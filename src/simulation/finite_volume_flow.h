@@ -60,6 +60,7 @@ class FiniteVolumeFlow final : public Model {
 
     [[nodiscard]] Snapshot snapshot() override;
     [[nodiscard]] PointTable particle_table() const override { return {}; }
+    std::vector<NamedRaster> plane_stress(const Raster& depth, PointTable& particles) override;
     void add_to(RunResult& result) const override;
     [[nodiscard]] const finite_volume::State& state() const noexcept { return state_; }
     [[nodiscard]] finite_volume::CellMotion motion_of(std::size_t cell) const {

@@ -112,6 +112,7 @@ class Flow final : public Model {
     [[nodiscard]] Snapshot snapshot() override;
     void end() override { ended_ = true; }
     [[nodiscard]] PointTable particle_table() const override;
+    std::vector<NamedRaster> plane_stress(const Raster& depth, PointTable& particles) override;
     void add_to(RunResult& result) const override;
     /// Depth and momentum (h u, h v) at every node, zero where dry, for comparison with exact solutions.
     struct NodalFields {

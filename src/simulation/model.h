@@ -146,6 +146,10 @@ class Model {
     /// Returns the maximum dynamic pressure in the cells that have a maximum speed [kPa].
     /// Density times speed along the bed squared, unless the model has its own.
     [[nodiscard]] virtual Raster max_pressure(const Raster& max_velocity) const;
+    /// Returns the normal stresses in the plane (plane_stress.h), and adds them to a table of the particles that has
+    /// any. Not for the structured model.
+    /// @param depth of the present state, as shown
+    virtual std::vector<NamedRaster> plane_stress(const Raster& depth, PointTable& particles) = 0;
     /// At the end of a run: adds what this model alone computes.
     virtual void add_to(RunResult& result) const = 0;
 

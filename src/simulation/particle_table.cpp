@@ -7,6 +7,7 @@
 #include "models/structured/solid/solid_laws.h"
 #include "mpm/curvature.h"
 #include "simulation/flow.h"
+#include "simulation/plane_stress.h"
 #include "simulation/structured_flow.h"
 
 namespace frana {
@@ -90,6 +91,26 @@ PointTable Flow::particle_table() const {
     if (const double* const pore = particles()[Field::pore_pressure])
         std::copy_n(pore, particles().size(), table.add("pore_pressure_ratio").begin());
     return table;
+}
+
+std::vector<NamedRaster> Flow::plane_stress(const Raster& depth, PointTable& table) {
+    const ParticleSet& p = particles();
+    const auto add = [&](const char* name, const double* sigma) {
+        std::vector<double>& values = table.add(name);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = plane_stress_kpa(density(), laws_.gravity, p[Field::volume][i] / p[Field::area][i],
+                                         sigma != nullptr ? sigma[i] : 0);
+    };
+    if (!table.places.empty()) {
+        add("plane_stress_xx_kpa", p[Field::s_xx]);
+        add("plane_stress_yy_kpa", p[Field::s_yy]);
+    }
+    const NodalFields fields = nodal_fields();
+    Raster u = fields.momentum_x, v = fields.momentum_y;
+    fields.depth.values.for_each_stored([&](std::size_t cell, double h) {
+        for (Raster* one : {&u, &v}) one->values[cell] = h > 0 ? one->values[cell] / h : 0;
+    });
+    return plane_stress_rasters(laws_.stress, density(), laws_.gravity, depth, u, v);
 }
 
 PointTable StructuredFlow::particle_table() const {

@@ -134,6 +134,7 @@ struct Recording {
     std::vector<CrossSection> sections;
     double interval = 0;        ///< between rows of gauges and sections [s]; 0: every step
     bool intensity = false;     ///< maxima of depth times speed and of the energy head
+    bool plane_stress = false;  ///< at frames and at the end
     bool normal_depth = false;  ///< RunResult::depth_is_normal
 };
 

@@ -71,7 +71,8 @@ void set_values(const SceneSpec& spec, Scene& scene) {
     scene.recording.normal_depth = spec.output.depth == k_normal_depth;
     // What is of one moment is recorded where somebody uses it.
     const auto& scheme = spec.hazard.resolved;
-    scene.recording.intensity = !spec.output.rasters.empty() || !spec.output.momentum_flux_thresholds.empty() ||
+    scene.recording.plane_stress = asks_for_plane_stress(spec.output);
+    scene.recording.intensity = asks_for_intensity(spec.output) || !spec.output.momentum_flux_thresholds.empty() ||
                                 (scheme && (scheme->uses(HazardQuantity::flux) || scheme->uses(HazardQuantity::head) ||
                                             scheme->uses(HazardQuantity::momentum)));
 }

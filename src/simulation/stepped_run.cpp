@@ -181,12 +181,14 @@ void note_scaling(const std::vector<ReleasedArea>& areas, std::vector<std::strin
 }
 
 // Making a frame does not change the model.
-Frame store_frame(Model& model, int index, bool with_particles) {
+Frame store_frame(Model& model, int index, bool with_particles, bool with_stress) {
     Model::Snapshot shot = model.snapshot();
-    return {index, model.time(), std::move(shot.depth), std::move(shot.speed),
-            // For fluid alone the frame's depth and velocity are complete.
-            model.particle_count() > 0 ? model.more_rasters() : std::vector<NamedRaster>{},
-            with_particles ? model.particle_table() : PointTable{}};
+    // For fluid alone the frame's depth and velocity are complete.
+    std::vector<NamedRaster> more = model.particle_count() > 0 ? model.more_rasters() : std::vector<NamedRaster>{};
+    PointTable particles = with_particles ? model.particle_table() : PointTable{};
+    if (with_stress)
+        for (NamedRaster& raster : model.plane_stress(shot.depth, particles)) more.push_back(std::move(raster));
+    return {index, model.time(), std::move(shot.depth), std::move(shot.speed), std::move(more), std::move(particles)};
 }
 
 double volume_of(const Raster& depth) {
@@ -308,9 +310,11 @@ void SteppedRun::write_frame_now() {
                                    : interval * (std::floor(model_->time() / interval * (1 + 1e-12)) + 1);
     last_frame_ = model_->time();
     engine_.stop();
-    Frame arrived = store_frame(*model_, frames_++, options_.particles_in_frames);
+    Frame arrived = store_frame(*model_, frames_++, options_.particles_in_frames, scene_.recording.plane_stress);
     hide_walls(scene_, arrived.depth);
     hide_walls(scene_, arrived.velocity);
+    if (scene_.recording.plane_stress)
+        for (NamedRaster& raster : arrived.more) hide_walls(scene_, raster.values);
     if (result_.hard_events.non_finite > 0) {
         hide_non_finite(arrived.depth);
         hide_non_finite(arrived.velocity);
@@ -447,6 +451,9 @@ RunResult SteppedRun::finish() {
     result.add(RasterName::arrival_time, model_->to_raster(maxima.arrival_plus_1, 1));
     result.add(RasterName::final_depth, model_->snapshot().depth);
     for (NamedRaster& raster : model_->more_rasters()) result.rasters.push_back(std::move(raster));
+    if (PointTable none; scene_.recording.plane_stress)
+        for (NamedRaster& raster : model_->plane_stress(Raster(result.raster(RasterName::final_depth)), none))
+            result.rasters.push_back(std::move(raster));
     hide_walls(scene_, velocity);
     for (NamedRaster& raster : result.rasters) hide_walls(scene_, raster.values);
     if (!finite) hide_non_finite(velocity);

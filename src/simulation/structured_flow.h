@@ -68,6 +68,7 @@ class StructuredFlow final : public Model {
     /// The phases: their depths, velocities and the state of the solids. For fluid alone, its velocity.
     [[nodiscard]] std::vector<NamedRaster> more_rasters() const override;
     [[nodiscard]] PointTable particle_table() const override;
+    std::vector<NamedRaster> plane_stress(const Raster&, PointTable&) override { return {}; }
     /// After every step this is done anyway.
     void record_present() override;
     [[nodiscard]] const Maxima& maxima() const noexcept override { return maxima_; }

@@ -75,6 +75,7 @@ inline const std::string k_structured =
     "internal-friction-angle = 28\nbed-friction-angle = 12\nyoung-modulus = 1e6\nbulk-modulus = 1e6\nmanning "
     "= 0.05\n"
     "[numerics]\nparticles-per-cell = 9\n";
+inline const std::string k_stress = "[output]\nrasters = plane_stress\n";
 inline const std::string k_entrainment =
     "[entrainment]\nerosion = growth\ngrowth-rate = 0.005\nerodible-depth = 0.5\ndeposition = on\n"
     "deposition-rate = 0.01\ndeposition-shear-stress = 2000\ndetrainment = on\ndetrainment-coefficient = 20\n";

@@ -68,7 +68,7 @@ inline Scene eventful() {
     scene.recording.gauges = {{"a", {90, 60}}, {"b", {150, 60}}};
     scene.recording.sections = {{"s", {{100, 10}, {100, 110}}}};
     scene.recording.interval = 0.7;
-    scene.recording.intensity = true;
+    scene.recording.intensity = scene.recording.plane_stress = true;
     scene.time.stop_momentum = 0.01;
     return scene;
 }

@@ -441,6 +441,9 @@ void check_output(const SceneSpec& scene, const std::set<std::string>& given, co
         refuse_formats("particles are written with the frames, but the scene writes none", "Set output.frames = on");
     if (particles && scene.material.model == "structured" && scene.structured.phases == "fluid")
         refuse_formats("fluid alone has no particles", "Remove particles-gpkg");
+    if (asks_for_plane_stress(output) && scene.material.model == "structured")
+        problems.add({"has a stress that the structured model does not compute", Place(file, "output.rasters"),
+                      k_plane_stress, "", "Remove it; particles-gpkg has the stress of solids"});
     for (const char* format : k_zone_formats) {
         if (!has_format(output, format)) continue;
         if (!scene.hazard.scheme)

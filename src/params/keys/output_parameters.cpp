@@ -135,8 +135,9 @@ void add_extra_output(std::vector<Parameter>& list) {
                                   "exceeded is mapped."));
     Parameter rasters = declare::word_list(
         "output.rasters", FRANA_MEMBER(output.rasters), {},
-        {RasterName::max_flux, RasterName::max_head, RasterName::max_momentum_flux},
-        "Rasters beside those that every run writes: depth times speed, energy head, depth times speed squared.");
+        {RasterName::max_flux, RasterName::max_head, RasterName::max_momentum_flux, k_plane_stress},
+        "Rasters beside those that every run writes: depth times speed, energy head, depth times speed squared, normal "
+        "stress in the plane.");
     rasters.absent = "none";
     list.push_back(rasters);
 }

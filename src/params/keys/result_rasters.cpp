@@ -272,7 +272,7 @@ void add_choices(Table& table) {
     table.when("with `[hazard] scheme`", [](const SceneSpec& scene) { return scene.hazard.scheme.has_value(); });
     table.add("hazard", RasterKind::classes, "Intensity", "Classes of intensity", "", "depth", k_even);
     table.when("with a hazard scheme or a threshold that uses it, or `output.rasters`", [](const SceneSpec& scene) {
-        return scene.hazard.scheme.has_value() || !scene.output.rasters.empty() ||
+        return scene.hazard.scheme.has_value() || asks_for_intensity(scene.output) ||
                !scene.output.momentum_flux_thresholds.empty();
     });
     ResultRaster& flux =
@@ -290,9 +290,17 @@ void add_choices(Table& table) {
     head.if_it_happens = true;
     head.classes = "max-head";
 
-    table.when("with `[entrainment]`", [](const SceneSpec& scene) {
-        return scene.entrainment.active();
-    });
+    table.when("with `output.rasters = plane_stress`",
+               [](const SceneSpec& scene) { return asks_for_plane_stress(scene.output); });
+    const auto stress = [&](const char* name, const char* title, const char* description) {
+        ResultRaster& row = table.flow(name, title, description, "kPa", "velocity", k_even);
+        row.in_frames = true;
+        row.bounds = {0, 10, 30, 100, 150, 200, 250, 300, k_infinity};
+    };
+    stress(RasterName::plane_stress_xx, "In-plane stress xx", "Normal stress in the plane across x, compression");
+    stress(RasterName::plane_stress_yy, "In-plane stress yy", "Normal stress in the plane across y, compression");
+
+    table.when("with `[entrainment]`", [](const SceneSpec& scene) { return scene.entrainment.active(); });
     table.flow(RasterName::eroded_depth, "Eroded depth", "Depth eroded from the bed, vertical", "m", "depth",
                k_progressive);
     table.flow(RasterName::deposited_depth, "Deposited depth", "Depth deposited on the bed, vertical", "m", "depth",
@@ -369,6 +377,15 @@ std::vector<ResultRaster> make_table() {
 }
 
 }  // namespace
+
+bool asks_for_plane_stress(const OutputSpec& output) {
+    return std::count(output.rasters.begin(), output.rasters.end(), k_plane_stress) > 0;
+}
+
+bool asks_for_intensity(const OutputSpec& output) {
+    return std::any_of(output.rasters.begin(), output.rasters.end(),
+                       [](const std::string& word) { return word != k_plane_stress; });
+}
 
 const std::vector<ResultRaster>& result_rasters() {
     static const std::vector<ResultRaster> k_table = make_table();

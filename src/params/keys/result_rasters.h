@@ -35,6 +35,12 @@ std::vector<double> fixed_classes(const std::string& quantity);
 struct OutputSpec;
 struct SceneSpec;
 
+/// Word of output.rasters for both components of the stress in the plane; the others are names of rasters.
+inline constexpr const char* k_plane_stress = "plane_stress";
+bool asks_for_plane_stress(const OutputSpec& output);
+/// Whether output.rasters has any other word.
+bool asks_for_intensity(const OutputSpec& output);
+
 /// The rasters that other code asks for by name.
 struct RasterName {
     static constexpr const char *arrival_time = "arrival_time", *bed = "bed", *cohesion_ratio = "cohesion_ratio",
@@ -45,6 +51,7 @@ struct RasterName {
                                 *max_flux = "max_flux", *max_head = "max_head",
                                 *max_momentum_flux = "max_momentum_flux", *max_pressure = "max_pressure",
                                 *max_velocity = "max_velocity", *outside_depth = "outside_depth",
+                                *plane_stress_xx = "plane_stress_xx", *plane_stress_yy = "plane_stress_yy",
                                 *sensitivity = "sensitivity", *solid_depth = "solid_depth", *strain = "strain",
                                 *uncertainty = "uncertainty", *worst_source = "worst_source";
 };

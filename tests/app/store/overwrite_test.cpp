@@ -54,7 +54,8 @@ class Overwrite : public ResultScenes {
 
 TEST_F(Overwrite, LeavesTheFilesOfAFreshRun) {
     const std::map<std::string, std::string> scenes{
-        {"all_of_the_first_model", k_voellmy + k_entrainment + k_every_output + "[output]\nanimation = off\n"},
+        {"all_of_the_first_model",
+         k_voellmy + k_stress + k_entrainment + k_every_output + "[output]\nanimation = off\n"},
         {"all_of_the_second_model", k_structured + k_every_output + "[output]\nanimation = off\n"},
         {"least", k_voellmy + "[output]\nmaps = off\nanimation = off\nframes = off\nreport = off\n"},
         {"film", k_voellmy + "[output]\nmaps = off\nframes = off\nmap-size = 640x480\n"},
@@ -112,7 +113,7 @@ void Overwrite::make_studies(bool all) const {
 
 // The table is complete, and every row of it exists.
 TEST_F(Overwrite, EveryFileOfAResultIsInItsManifestAndInTheTable) {
-    run(k_voellmy + k_entrainment + k_every_output, "old");
+    run(k_voellmy + k_stress + k_entrainment + k_every_output, "old");
     render_all();
     run(k_structured + k_every_output +
             "[structured]\nsoil-conductivity = 10\nsoil-suction = 0.1\nsoil-moisture-deficit = 0.3\n",
@@ -361,7 +362,8 @@ TEST_F(Overwrite, AResultWhosePlaceIsNoLongerFreeIsKeptBesideIt) {
 
 // With every output, of either model.
 TEST_F(Overwrite, AResumedRunWritesTheFilesOfAFreshOne) {
-    const std::map<std::string, std::string> models{{"first", k_voellmy + k_entrainment}, {"second", k_structured}};
+    const std::map<std::string, std::string> models{{"first", k_voellmy + k_stress + k_entrainment},
+                                                    {"second", k_structured}};
     for (const auto& [name, text] : models) {
         SCOPED_TRACE(name);
         const std::string whole = name + "_whole", result = name + "_resumed";
