@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "analysis/ground_statistics.h"
+#include "analysis/trace.h"
 #include "core/raster.h"
 #include "core/reached_raster.h"
 #include "mpm/node_grid.h"
