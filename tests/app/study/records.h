@@ -56,6 +56,12 @@ class Records : public ::testing::Test {
         members_.records.push_back(keep("r" + std::to_string(members_.records.size()), one));
         members_.weights.assign(members_.records.size(), 1.0 / static_cast<double>(members_.records.size()));
     }
+    /// Of a study in which no run is open.
+    [[nodiscard]] StudyRuns runs() const {
+        StudyRuns all{members_, {}, members_, std::vector<bool>(members_.size())};
+        for (std::size_t i = 0; i < members_.size(); ++i) all.finished_at.push_back(i);
+        return all;
+    }
 
     std::filesystem::path folder_;
     GridSpec grid_;

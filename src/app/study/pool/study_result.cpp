@@ -177,7 +177,7 @@ std::shared_ptr<const AnnualRates> rates_of(const StudyInput& input, const Finis
             source.sway = sway_of(input, result, finished, source.members.weights, *frequency.exponent_error);
         first += finished.size();
     }
-    return std::make_shared<AnnualRates>(std::move(sources), !frequency.by_columns, result.open.is_open);
+    return std::make_shared<AnnualRates>(std::move(sources), !frequency.by_columns, result.is_open);
 }
 
 }  // namespace
@@ -188,9 +188,9 @@ bool StudyResult::equal_weights() const {
 }
 
 std::vector<double> StudyResult::weights() const {
-    std::vector<double> all(members.size());
-    for (std::size_t i = 0; i < finished_at.size(); ++i) all[finished_at[i]] = finished.weights[i];
-    return all;
+    std::vector<double> of_members(members.size());
+    for (std::size_t i = 0; i < finished_at.size(); ++i) of_members[finished_at[i]] = finished.weights[i];
+    return of_members;
 }
 
 std::vector<double> StudyResult::figure(std::size_t index) const {
@@ -214,15 +214,15 @@ Interval StudyResult::quantile_of(std::size_t index, double q) const {
 }
 
 double StudyResult::quantile_bound(std::size_t index, double q) const {
-    if (!open.any()) return weighted_quantile(figure(index), finished.weights, q);
+    if (!any_open()) return weighted_quantile(figure(index), finished.weights, q);
     std::vector<double> values;
     for (std::size_t i = 0; i < members.size(); ++i) {
         const std::vector<Figure>& of = members[i].figures;
-        values.push_back(open.is_open[i]     ? std::numeric_limits<double>::infinity()
+        values.push_back(is_open[i]          ? std::numeric_limits<double>::infinity()
                          : index < of.size() ? of[index].value
                                              : 0);  // it failed before its first step
     }
-    return weighted_quantile(values, open.runs.weights, q);
+    return weighted_quantile(values, all.weights, q);
 }
 
 const std::vector<Figure>& StudyResult::figures() const {
@@ -241,7 +241,7 @@ StudyResult read_study_result(const StudyInput& input, const std::string& folder
         all.records.push_back(records.place(member));
         all.weights.push_back(input.table.weights[member]);
         if (input.table.is_replicated) all.replicates.push_back(input.table.replicate_of(member));
-        result.open.is_open.push_back(one.end.is_open() || !one.failure.empty());
+        result.is_open.push_back(one.end.is_open() || !one.failure.empty());
         everyone.push_back(member);
         if (one.failure.empty()) result.finished_at.push_back(member);
     }
@@ -251,7 +251,7 @@ StudyResult read_study_result(const StudyInput& input, const std::string& folder
     result.design = chosen(all, result.design_at);
     result.rates = rates_of(input, all, result);
     all.replicates.clear();  // a bound has no use for them
-    result.open.runs = chosen(all, everyone);
+    result.all = chosen(all, everyone);
     result.grid = input.base.scene.grid;
     return result;
 }
@@ -262,21 +262,18 @@ std::optional<RarePlace> rare_place_of(const StudyInput& input, const StudyResul
     const auto cell = cell_at(result.grid, rare.event.place);
     // The maps of a large terrain may end before a place that nothing reaches.
     const std::vector<std::vector<std::size_t>> cells{cell ? std::vector{*cell} : std::vector<std::size_t>{}};
-    for_each_feature(result.finished, Quantity::depth, result.grid, cells,
-                     [&](std::size_t, std::span<const float> depths) {
-                         rare.probability = MeanEstimate(result.finished).probability(depths, rare.event.threshold);
-                         for (const float depth : depths)
+    for_each_feature(result, Quantity::depth, result.grid, cells,
+                     [&](std::size_t, std::span<const float> finished, std::span<const float> all) {
+                         rare.probability = MeanEstimate(result.finished).probability(finished, rare.event.threshold);
+                         for (const float depth : finished)
                              rare.hits += static_cast<double>(depth) > rare.event.threshold ? 1 : 0;
-                     });
-    rare.high = rare.probability.high();
-    if (!result.open.any()) return rare;
-    for_each_feature(result.open.runs, Quantity::depth, result.grid, cells,
-                     [&](std::size_t, std::span<const float> depths) {
-                         std::vector<float> most(depths.begin(), depths.end());
+                         std::vector<float> most(all.begin(), all.end());
                          for (std::size_t run = 0; run < most.size(); ++run)
-                             if (result.open.is_open[run]) most[run] = std::numeric_limits<float>::infinity();
-                         const Estimate bound = MeanEstimate(result.open.runs).probability(most, rare.event.threshold);
-                         rare.high = std::max(rare.high, bound.high());
+                             if (result.is_open[run]) most[run] = std::numeric_limits<float>::infinity();
+                         rare.high = rare.probability.high();
+                         if (result.any_open())
+                             rare.high = std::max(
+                                 rare.high, MeanEstimate(result.all).probability(most, rare.event.threshold).high());
                      });
     return rare;
 }

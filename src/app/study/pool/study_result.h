@@ -41,11 +41,9 @@ struct FigureSensitivity {
     double q2 = 0;  ///< Chaos::q2
 };
 
-/// The members that ran, in the order of their numbers.
-struct StudyResult {
+/// The members that ran, in the order of their numbers; `finished_at` and `all` are in the same order.
+struct StudyResult : StudyRuns {
     std::vector<MemberRecord> members;
-    FinishedMembers finished;              ///< whose maps are used
-    std::vector<std::size_t> finished_at;  ///< their places in `members`
     /// Members of whole groups of Morris' design, or all finished ones: those that sensitivities use. `groups`: rows of
     /// the first matrix among them, 0 if the members are independent.
     FinishedMembers design;
@@ -53,7 +51,6 @@ struct StudyResult {
     DesignPoints points;
     std::size_t groups = 0;
     GridSpec grid;                             ///< of all maps
-    OpenRuns open;                             ///< all runs, in the order of `members`
     std::shared_ptr<const AnnualRates> rates;  ///< null: without a frequency
 
     [[nodiscard]] std::size_t failed() const { return failed_of(members); }

@@ -57,19 +57,19 @@ CellWindow window_of(const FinishedMembers& members, const GridSpec& grid) {
 }
 
 /// The runs of draws of an event's posterior: those that finished, and all.
-std::pair<FinishedMembers, OpenRuns> drawn_runs(const EventRuns& event) {
-    FinishedMembers finished;
-    OpenRuns all;
+StudyRuns drawn_runs(const EventRuns& event) {
+    StudyRuns runs;
     const RecordFiles records(event.records);
     for (std::size_t i = event.searched; i < event.members.size(); ++i) {
         const bool has_failed = !event.members[i].failure.empty();
-        all.runs.records.push_back(records.place(i));
-        all.is_open.push_back(event.members[i].end.is_open() || has_failed);
-        if (!has_failed) finished.records.push_back(records.place(i));
+        if (!has_failed) runs.finished_at.push_back(runs.all.size());
+        if (!has_failed) runs.finished.records.push_back(records.place(i));
+        runs.all.records.push_back(records.place(i));
+        runs.is_open.push_back(event.members[i].end.is_open() || has_failed);
     }
-    for (FinishedMembers* one : {&finished, &all.runs})
+    for (FinishedMembers* one : {&runs.finished, &runs.all})
         one->weights.assign(one->size(), 1 / static_cast<double>(one->size()));
-    return {std::move(finished), std::move(all)};
+    return runs;
 }
 
 MapSource source_of(const StudyInput& input, std::size_t e, const EventRuns& runs, std::size_t best,
@@ -113,12 +113,12 @@ void publish_calibration_maps(const StudyInput& input, const CalibrationRuns& ru
                               const Troubles& troubles, const ResultDirectory& directory, RunLog& log) {
     for (std::size_t e = 0; e < input.events(); ++e) {
         const Prepared& base = input.own[e].base;
-        const auto [finished, drawn] = drawn_runs(runs.events[e]);
-        const CellWindow window = window_of(finished, base.scene.grid);
+        const StudyRuns drawn = drawn_runs(runs.events[e]);
+        const CellWindow window = window_of(drawn.finished, base.scene.grid);
         if (window.rows == 0 || window.columns == 0) continue;
         const std::string name = "posterior_" + input.spec().events[e].name;
         MapWriter(base, directory)
-            .write_probabilities(finished, drawn, part_of(base.scene.grid, window),
+            .write_probabilities(drawn, part_of(base.scene.grid, window),
                                  {Quantity::depth, {observed_threshold(base.spec)}, {name}});
         if (base.spec.output.maps.front() == "off") continue;
         directory.make_folder("maps");

@@ -83,46 +83,45 @@ std::vector<std::vector<std::size_t>> cells_of(const std::vector<CurvePlace>& pl
     return cells;
 }
 
+/// The upper fractile of a sum of rates that nobody knows better than the rates of the sources.
+double highest(const AnnualRates& rates, double sum) {
+    const FrequencySpec::Rate all = rates.of_all();
+    return fractiles(sum, sum * all.deviation / all.value).back();
+}
+
+/// @param most of an event: no event is not among all
+HazardPoint point_of(const AnnualRates& rates, const AnnualRate& rate, double most) {
+    const FrequencySpec::Rate all = rates.of_all();
+    const double greatest = most * fractiles(all.value, all.deviation).back();
+    if (!(rate.value > 0)) return {0, 0, 0, std::min(rate.margin, greatest)};
+    const auto [low, median, high] = fractiles(rate.value, rate.margin / k_normal);
+    return {0, rate.value, low, std::min(high, greatest), std::min(median, greatest)};
+}
+
 }  // namespace
 
-HazardPoint hazard_point(const AnnualRates& rates, Values values, double threshold) {
-    const AnnualRate rate = rates.exceeded(hits_of(values), threshold);
-    const FrequencySpec::Rate all = rates.of_all();
-    const double most = fractiles(all.value, all.deviation).back();  // no event is not among all
-    if (!(rate.value > 0)) return {threshold, 0, 0, std::min(rate.margin, most)};
-    const auto [low, median, high] = fractiles(rate.value, rate.margin / k_normal);
-    return {threshold, rate.value, low, std::min(high, most), std::min(median, most)};
+HazardPoint hazard_point(const StudyResult& result, Values values, Values runs, double threshold) {
+    const AnnualRates& rates = *result.rates;
+    HazardPoint point = point_of(rates, rates.exceeded(hits_of(values), threshold), 1);
+    point.value = threshold;
+    if (result.any_open()) point.high = std::max(point.high, highest(rates, rates.bound(hits_of(runs), threshold)));
+    return point;
 }
 
-double hazard_bound(const AnnualRates& rates, Values runs, double threshold) {
-    const FrequencySpec::Rate all = rates.of_all();
-    const double bound = rates.bound(hits_of(runs), threshold);
-    return fractiles(bound, bound * all.deviation / all.value).back();
-}
-
-Damage mean_damage(const StudyResult& result, std::span<const double> damages, double most) {
-    if (!result.rates) {
-        const Estimate mean = MeanEstimate(result.finished).mean(damages, most);
-        return {mean.value, std::max(0.0, mean.value - mean.margin), std::min(most, mean.value + mean.margin)};
+Damage mean_damage(const StudyResult& result, std::span<const double> damages, std::span<const double> runs,
+                   double most) {
+    const bool has_open = result.any_open();
+    if (const auto& rates = result.rates) {
+        const HazardPoint sum = point_of(*rates, rates->sum(damages, most), most);
+        const double bound = has_open ? highest(*rates, rates->bound_of_sum(runs, most)) : 0;
+        return {sum.rate, sum.low, std::max(sum.high, bound)};
     }
-    const AnnualRate sum = result.rates->sum(damages, most);
-    const FrequencySpec::Rate all = result.rates->of_all();
-    const double greatest = most * fractiles(all.value, all.deviation).back();
-    if (!(sum.value > 0)) return {0, 0, std::min(sum.margin, greatest)};
-    const auto [low, median, high] = fractiles(sum.value, sum.margin / k_normal);
-    return {sum.value, low, std::min(high, greatest)};
-}
-
-double damage_bound(const StudyResult& result, std::span<const double> runs, double most) {
-    if (!result.rates) {
-        double sum = 0;
-        for (std::size_t run = 0; run < runs.size(); ++run)
-            sum += result.open.runs.weights[run] * (result.open.is_open[run] ? most : runs[run]);
-        return sum;
-    }
-    const FrequencySpec::Rate all = result.rates->of_all();
-    const double bound = result.rates->bound_of_sum(runs, most);
-    return fractiles(bound, bound * all.deviation / all.value).back();
+    const Estimate mean = MeanEstimate(result.finished).mean(damages, most);
+    double bound = 0;
+    for (std::size_t run = 0; run < runs.size() && has_open; ++run)
+        bound += result.all.weights[run] * (result.is_open[run] ? most : runs[run]);
+    return {mean.value, std::max(0.0, mean.value - mean.margin),
+            std::max(std::min(most, mean.value + mean.margin), bound)};
 }
 
 std::vector<HazardCurve> hazard_curves(const StudyInput& input, const StudyResult& result, bool with_objects) {
@@ -135,16 +134,11 @@ std::vector<HazardCurve> hazard_curves(const StudyInput& input, const StudyResul
         if (quantity == nullptr) continue;
         const std::size_t first = curves.size();
         for (const CurvePlace& place : places) curves.push_back({place.kind, place.name, *quantity, {}});
-        for_each_feature(result.finished, events.quantity, result.grid, cells, [&](std::size_t at, Values values) {
+        for_each_feature(result, events.quantity, result.grid, cells, [&](std::size_t at, Values values, Values runs) {
             const double greatest = static_cast<double>(*std::max_element(values.begin(), values.end()));
             for (const double level : curve_levels(greatest, events.thresholds))
-                curves[first + at].points.push_back(hazard_point(*result.rates, values, level));
+                curves[first + at].points.push_back(hazard_point(result, values, runs, level));
         });
-        const auto add_bound = [&](std::size_t at, Values values) {
-            for (HazardPoint& point : curves[first + at].points)
-                point.high = std::max(point.high, hazard_bound(*result.rates, values, point.value));
-        };
-        if (result.open.any()) for_each_feature(result.open.runs, events.quantity, result.grid, cells, add_bound);
     }
     for (HazardCurve& curve : curves)  // what exceeds a value exceeds all lower ones
         for (std::size_t i = 1; i < curve.points.size(); ++i) {
@@ -170,7 +164,7 @@ std::string disaggregation_csv(const StudyInput& input, const StudyResult& resul
         const CurveQuantity* const quantity = curve_quantity(events.quantity);
         if (quantity == nullptr) continue;
         for_each_feature(
-            result.finished, events.quantity, result.grid, cells_of(places), [&](std::size_t at, Values values) {
+            result, events.quantity, result.grid, cells_of(places), [&](std::size_t at, Values values, Values) {
                 for (const double threshold : events.thresholds) {
                     const std::vector<double> of_sources = result.rates->by_source(hits_of(values), threshold);
                     const double all = std::accumulate(of_sources.begin(), of_sources.end(), 0.0);

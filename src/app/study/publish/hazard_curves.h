@@ -43,16 +43,15 @@ std::vector<HazardCurve> hazard_curves(const StudyInput& input, const StudyResul
 
 /// How often the value at a place exceeds a threshold, of all finished members: the fractiles are those of a gamma
 /// distribution with the mean and the standard deviation of AnnualRates. Where none exceeds it the upper one is the
-/// margin.
-HazardPoint hazard_point(const AnnualRates& rates, std::span<const float> values, double threshold);
-/// The upper fractile, of all runs, if every open one exceeds it.
-double hazard_bound(const AnnualRates& rates, std::span<const float> runs, double threshold);
+/// margin. It is at least that of all runs if every open one exceeds it.
+/// @param values of finished members  @param runs values of all runs
+HazardPoint hazard_point(const StudyResult& result, std::span<const float> values, std::span<const float> runs,
+                         double threshold);
 
 /// Returns the mean damage by an event, in the interval of 95 %, or with a frequency that of a year, between fractiles
-/// of 5 and 95 % as of a hazard_point(). @param damages by finished member, from 0 to `most`
-Damage mean_damage(const StudyResult& result, std::span<const double> damages, double most);
-/// Its upper end, of all runs, if every open one costs the most.
-double damage_bound(const StudyResult& result, std::span<const double> runs, double most);
+/// of 5 and 95 % as of a hazard_point(). @param damages by finished member, from 0 to `most`  @param runs of all runs
+Damage mean_damage(const StudyResult& result, std::span<const double> damages, std::span<const double> runs,
+                   double most);
 
 /// Returns disaggregation.csv: by place, quantity and threshold the sources with their part of the rate, and the means
 /// of the volume and of the keys that vary, of the events that exceed it. Empty if nothing does.

@@ -48,13 +48,12 @@ void MapWriter::write_chance(const std::string& name, const Chance& chance, cons
     write(name, bands);
 }
 
-QuantityMaps MapWriter::write_probabilities(const FinishedMembers& finished, const OpenRuns& all, const GridSpec& grid,
+QuantityMaps MapWriter::write_probabilities(const StudyRuns& runs, const GridSpec& grid,
                                             const MappedEvents& events) const {
-    QuantityMaps maps = quantity_maps(finished, events.quantity, grid, events.thresholds);
-    std::vector<Raster> upper;
-    if (all.any()) upper = probability_bounds(maps.probability, all, events.quantity, events.thresholds, grid);
+    QuantityMaps maps = quantity_maps(runs, events.quantity, grid, events.thresholds);
     for (std::size_t t = 0; t < events.rasters.size(); ++t)
-        write_chance(events.rasters[t], {maps.probability[t], maps.margin[t]}, upper.empty() ? nullptr : &upper[t]);
+        write_chance(events.rasters[t], {maps.probability[t], maps.margin[t]},
+                     maps.upper.empty() ? nullptr : &maps.upper[t]);
     return maps;
 }
 
@@ -88,8 +87,8 @@ RateMaps MapWriter::write_rates(const StudyResult& result, const MappedEvents& e
     const auto once = std::find_if(std::begin(k_once_rasters), std::end(k_once_rasters),
                                    [&](const auto& one) { return one.first == events.quantity; });
     const bool has_once = once != std::end(k_once_rasters);
-    RateMaps maps = rate_maps(*result.rates, result.finished, result.open.runs, events.quantity, result.grid,
-                              events.thresholds, has_once ? periods : std::vector<double>{});
+    RateMaps maps = rate_maps(*result.rates, result, events.quantity, result.grid, events.thresholds,
+                              has_once ? periods : std::vector<double>{});
     for (std::size_t t = 0; t < events.rasters.size(); ++t) {
         const Raster* const upper = maps.upper.empty() ? nullptr : &maps.upper[t];
         write_chance(rate_name(events.rasters[t]), {maps.rate[t], maps.margin[t]}, upper);

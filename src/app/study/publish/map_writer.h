@@ -34,8 +34,7 @@ class MapWriter {
     void write(const std::string& name, const Raster& raster) const;
     /// Makes the maps of events, and writes their probabilities: with the margin as second band; 0, not nodata, where
     /// nothing came. Of open runs the upper bound is the third.
-    QuantityMaps write_probabilities(const FinishedMembers& finished, const OpenRuns& all, const GridSpec& grid,
-                                     const MappedEvents& events) const;
+    QuantityMaps write_probabilities(const StudyRuns& runs, const GridSpec& grid, const MappedEvents& events) const;
     /// The same of the rates of a study with a frequency, and of their return periods; of depth and velocity also what
     /// is exceeded once in so many years, with its interval as next bands.
     RateMaps write_rates(const StudyResult& result, const MappedEvents& events,

@@ -38,16 +38,14 @@
 namespace frana::app::study {
 namespace {
 
-/// The finished members of a region, or those of one scenario.
-std::vector<UnionMember> members_of(const StudyInput& input, const StudyResult& result,
-                                    const std::optional<std::string>& scenario) {
-    std::vector<UnionMember> members;
-    for (std::size_t i = 0; i < result.finished_at.size(); ++i) {
-        UnionMember member{result.members[result.finished_at[i]].member, result.finished.records[i], {}};
-        const Slope& slope = input.slope_of(member.number);
-        if (scenario && slope.scenario != *scenario) continue;
-        member.return_period = slope.return_period;
-        members.push_back(std::move(member));
+/// The finished members of one scenario.
+FinishedMembers members_of(const StudyInput& input, const StudyResult& result, const std::string& scenario) {
+    FinishedMembers members;
+    members.store = result.finished.store;
+    for (std::size_t i = 0; i < result.finished.size(); ++i) {
+        if (input.slope_of(result.finished_at[i]).scenario != scenario) continue;
+        members.records.push_back(result.finished.records[i]);
+        members.columns.push_back(result.finished.columns[i]);
     }
     return members;
 }
@@ -87,7 +85,7 @@ void read_ground_under(const Raster& depth, Raster& terrain) {
 
 /// Writes the rasters one after the other, so that memory contains few at once. Returns the depth.
 /// @param scenario in names of files; empty: all slopes
-Raster write_union(const StudyInput& input, const std::vector<UnionMember>& members, const GridSpec& grid,
+Raster write_union(const StudyInput& input, const FinishedMembers& members, const GridSpec& grid,
                    const std::string& scenario, const ResultDirectory& directory) {
     const MapWriter writer(input.base, directory);
     const std::string ending = scenario.empty() ? "" : "_" + scenario, count = scenario.empty() ? "" : "scenario_",
@@ -107,7 +105,7 @@ Raster write_union(const StudyInput& input, const std::vector<UnionMember>& memb
 }
 
 /// @param name of a scenario in names of files
-void write_scenario(const StudyInput& input, const std::vector<UnionMember>& members, const GridSpec& grid,
+void write_scenario(const StudyInput& input, const FinishedMembers& members, const GridSpec& grid,
                     const std::string& name, const ResultDirectory& directory) {
     write_union(input, members, grid, name, directory);
     const auto scheme = hazard_scheme_of(input.base.spec);
@@ -124,25 +122,28 @@ void write_scenario(const StudyInput& input, const std::vector<UnionMember>& mem
 /// and those of the degrees to the facts.
 void publish_unions(StudyInput& input, const StudyResult& result, const ResultDirectory& directory, StudyFacts& facts) {
     const RegionSpec& region = *input.reading.study.region;
-    const std::vector<UnionMember> all = members_of(input, result, std::nullopt);
     {
-        const Raster depth = write_union(input, all, result.grid, "", directory);
+        const Raster depth = write_union(input, result.finished, result.grid, "", directory);
         read_ground_under(depth, input.base.scene.terrain);
         publish_study_ground(input, directory);
         write_reached(input, depth, directory);
         facts.reached_threshold = input.base.spec.output.trace_threshold;
         facts.reached_m2 = {covered_area(depth, facts.reached_threshold)};
     }
-    if (region.degrees) facts.degrees = write_degree(input, worst_degree(all, result.grid, *region.degrees), directory);
+    std::vector<std::optional<double>> periods;
+    for (const std::size_t member : result.finished_at) periods.push_back(input.slope_of(member).return_period);
+    if (region.degrees)
+        facts.degrees =
+            write_degree(input, worst_degree(result.finished, periods, result.grid, *region.degrees), directory);
     if (!region.has_scenarios()) return;
     for (const auto& [name, stem, years] : scenarios_of(input))
-        if (const auto members = members_of(input, result, name); !members.empty())
+        if (const auto members = members_of(input, result, name); members.size() > 0)
             write_scenario(input, members, result.grid, stem, directory);
 }
 
 /// Writes the terrain of a region with a frequency, and what any event reaches.
 void publish_sources(StudyInput& input, const StudyResult& result, const ResultDirectory& directory) {
-    const DepthUnion all = depth_union(members_of(input, result, std::nullopt), result.grid);
+    const DepthUnion all = depth_union(result.finished, result.grid);
     MapWriter(input.base, directory).write(RasterName::hit_count, all.hits);
     read_ground_under(all.depth, input.base.scene.terrain);
     publish_study_ground(input, directory);
@@ -244,7 +245,7 @@ void write_kept_members(const StudyInput& input, const StudyResult& result, cons
         char name[40];
         std::snprintf(name, sizeof name, "%s/member_%07zu", k_member_folder, member.member);
         directory.make_folder(name);
-        write_member(input, member.member, require_record(result.open.runs.records[i]), result.grid, directory, name);
+        write_member(input, member.member, require_record(result.all.records[i]), result.grid, directory, name);
     }
 }
 

@@ -77,15 +77,14 @@ class Builder {
         const auto& fragility = input_.base.extra.fragility;
         return fragility && fragility->uses(HazardQuantity::momentum);
     }
-    /// Of all runs whose records count: one that failed has hit before it failed.
+    /// Of all runs: one that failed has hit before it failed.
     template <class Visit>
     void for_each(Quantity quantity, const Visit& visit) const {
-        const bool has_open = result_.open.any();
-        for_each_feature(has_open ? result_.open.runs : result_.finished, quantity, result_.grid, cells_, visit);
+        for_each_feature(result_, quantity, result_.grid, cells_,
+                         [&](std::size_t feature, Values, Values all) { visit(feature, all); });
     }
-    [[nodiscard]] std::size_t source_of(std::size_t record) const {
-        const std::size_t place = result_.open.any() ? record : result_.finished_at[record];
-        return result_.members[place].member / input_.table.draws;
+    [[nodiscard]] std::size_t source_of(std::size_t run) const {
+        return result_.members[run].member / input_.table.draws;
     }
     void greatest(Quantity quantity, double ExposureValues::*member) {
         for_each(quantity, [&](std::size_t feature, Values values) {
@@ -99,15 +98,13 @@ class Builder {
             const auto set = [&](std::size_t feature, const std::string& name, double value) {
                 rows[feature].numbers.emplace_back(name, rows[feature].is_on_map() ? value : k_no_data);
             };
-            for_each_feature(result_.finished, quantity, result_.grid, cells_, [&](std::size_t feature, Values values) {
-                for (std::size_t t = 0; t < thresholds.size(); ++t)
-                    set(feature, names[t], estimate.probability(values, thresholds[t]).value);
-            });
-            if (!result_.open.any()) return;
-            for_each(quantity, [&](std::size_t feature, Values values) {
-                for (std::size_t t = 0; t < thresholds.size(); ++t)
-                    set(feature, names[t] + "_upper", upper_bound(result_.open, values, thresholds[t]));
-            });
+            for_each_feature(result_, quantity, result_.grid, cells_,
+                             [&](std::size_t feature, Values values, Values all) {
+                                 for (std::size_t t = 0; t < thresholds.size(); ++t)
+                                     set(feature, names[t], estimate.probability(values, thresholds[t]).value);
+                                 for (std::size_t t = 0; t < thresholds.size() && result_.any_open(); ++t)
+                                     set(feature, names[t] + "_upper", upper_bound(result_, all, thresholds[t]));
+                             });
         };
         add(Quantity::depth, {0}, {"probability_reached"});
         for (const MappedEvents& events : mapped_events(input_.base.spec))
@@ -115,19 +112,12 @@ class Builder {
     }
     void add_rates(std::vector<ExposureRow>& rows) const {
         const auto add = [&](Quantity quantity, double threshold, const std::string& name) {
-            std::vector<HazardPoint> points(rows.size());
-            for_each_feature(result_.finished, quantity, result_.grid, cells_, [&](std::size_t feature, Values values) {
-                points[feature] = hazard_point(*result_.rates, values, threshold);
-            });
-            if (result_.open.any())
-                for_each(quantity, [&](std::size_t feature, Values runs) {
-                    points[feature].high =
-                        std::max(points[feature].high, hazard_bound(*result_.rates, runs, threshold));
-                });
-            for (std::size_t f = 0; f < rows.size(); ++f)
-                for (const auto& [ending, value] : {std::pair("", points[f].rate), std::pair("_low", points[f].low),
-                                                    std::pair("_high", points[f].high)})
+            for_each_feature(result_, quantity, result_.grid, cells_, [&](std::size_t f, Values values, Values all) {
+                const HazardPoint point = hazard_point(result_, values, all, threshold);
+                for (const auto& [ending, value] :
+                     {std::pair("", point.rate), std::pair("_low", point.low), std::pair("_high", point.high)})
                     rows[f].numbers.emplace_back(name + ending, rows[f].is_on_map() ? value : k_no_data);
+            });
         };
         add(Quantity::depth, 0, "annual_rate_reached");
         for (const MappedEvents& events : mapped_events(input_.base.spec))
@@ -147,9 +137,9 @@ class Builder {
                 return row.is_on_map() ? static_cast<double>(sources.size()) : k_no_data;
             };
             row.numbers.emplace_back("sources", count([&](std::size_t record) { return values[record] > 0; }));
-            if (result_.open.any())  // those whose full reach is not known may have come, too
+            if (result_.any_open())  // those whose full reach is not known may have come, too
                 row.numbers.emplace_back("sources_upper", count([&](std::size_t record) {
-                                             return values[record] > 0 || result_.open.is_open[record];
+                                             return values[record] > 0 || result_.is_open[record];
                                          }));
             row.numbers.emplace_back("worst_source", row.is_reached() ? static_cast<double>(source) : k_no_data);
             row.texts.emplace_back("worst_name", row.is_reached() ? input_.slopes[source].name : "");
@@ -181,12 +171,12 @@ class Builder {
         const Fragility& fragility = *input_.base.extra.fragility;
         if (result_.rates || !input_.spec().region) return add_mean_damage(fragility, rows);
         if (!input_.spec().region->has_scenarios())
-            damages.push_back(add_event_damage(fragility, "", "", result_.open.any(), rows));
+            damages.push_back(add_event_damage(fragility, "", "", result_.any_open(), rows));
         else
             for (const Scenario& one : scenarios_of(input_)) {
                 bool is_open = false;
                 for (std::size_t run = 0; run < result_.members.size(); ++run)
-                    is_open = is_open || (result_.open.is_open[run] &&
+                    is_open = is_open || (result_.is_open[run] &&
                                           input_.slope_of(result_.members[run].member).scenario == one.name);
                 damages.push_back(add_event_damage(fragility, one.stem + "_", one.name, is_open, rows));
             }
@@ -196,32 +186,26 @@ class Builder {
     /// own, as features are hit together.
     void add_mean_damage(const Fragility& fragility, std::vector<ExposureRow>& rows) {
         std::vector<Damage> all(rows.size());
-        Damage together;
         double most = 0;
         for (std::size_t f = 0; f < rows.size(); ++f) most += rows[f].is_on_map() ? fragility.most(f) : 0;
-        const auto visit = [&](const FinishedMembers& members, const auto& take) {
-            std::vector<double> own(members.size()), sum(members.size());
-            for (const BreakingQuantity& by : k_breaking_quantities)
-                if (fragility.uses(by.quantity))
-                    for_each_feature(members, quantity_of(by), result_.grid, cells_, [&](std::size_t f, Values values) {
-                        if (fragility.of(f).by != &by) return;
-                        for (std::size_t m = 0; m < own.size(); ++m) {
-                            own[m] = fragility.damage(f, static_cast<double>(values[m]));
-                            if (rows[f].is_on_map()) sum[m] += own[m];
-                        }
-                        take(all[f], own, fragility.most(f));
-                    });
-            take(together, sum, most);
+        const auto mean_of = [&](const std::vector<double>& runs, double greatest) {
+            std::vector<double> finished;
+            for (const std::size_t run : result_.finished_at) finished.push_back(runs[run]);
+            return mean_damage(result_, finished, runs, greatest);
         };
-        visit(result_.finished, [&](Damage& damage, const std::vector<double>& own, double greatest) {
-            damage = mean_damage(result_, own, greatest);
-        });
-        if (result_.open.any())
-            visit(result_.open.runs, [&](Damage& damage, const std::vector<double>& own, double greatest) {
-                damage.high = std::max(damage.high, damage_bound(result_, own, greatest));
-            });
+        std::vector<double> own(result_.members.size()), sum(result_.members.size());
+        for (const BreakingQuantity& by : k_breaking_quantities)
+            if (fragility.uses(by.quantity))
+                for_each(quantity_of(by), [&](std::size_t f, Values values) {
+                    if (fragility.of(f).by != &by) return;
+                    for (std::size_t m = 0; m < own.size(); ++m) {
+                        own[m] = fragility.damage(f, static_cast<double>(values[m]));
+                        if (rows[f].is_on_map()) sum[m] += own[m];
+                    }
+                    all[f] = mean_of(own, fragility.most(f));
+                });
         damages.push_back(add_damages(result_.rates ? k_annual_damage : k_expected_damage, "", all, rows));
-        damages.back().damage = together;
+        damages.back().damage = mean_of(sum, most);
     }
 
     /// The degree of hazard of a feature, the scenarios that lead to it, and of the slopes that do the deepest.
@@ -239,7 +223,7 @@ class Builder {
                 if (!period) continue;
                 const auto of = [&](int intensity) { return static_cast<int>(degrees.of(intensity, *period)); };
                 const int own = values[record] >= 1 ? of(static_cast<int>(values[record])) : 0;
-                if (result_.open.any() && result_.open.is_open[record]) most = std::max(most, of(k_strongest));
+                if (result_.any_open() && result_.is_open[record]) most = std::max(most, of(k_strongest));
                 if (own == 0 || own < degree) continue;
                 if (own > degree) by.clear();
                 if (by.empty() || depths[feature][record] > depths[feature][deepest]) deepest = record;
@@ -254,7 +238,7 @@ class Builder {
                                 [&](std::size_t slope) { return input_.slopes[slope].scenario == one.name; }))
                     scenarios.push_back(one.name);
             row.numbers.emplace_back(RasterName::hazard_degree, row.is_on_map() ? degree : k_no_data);
-            if (result_.open.any())
+            if (result_.any_open())
                 row.numbers.emplace_back(std::string(RasterName::hazard_degree) + "_upper",
                                          row.is_on_map() ? std::max(degree, most) : k_no_data);
             row.texts.emplace_back("degree_scenario", has_one ? joined(scenarios, ", ") : "");
@@ -343,7 +327,7 @@ std::optional<ExposureTotals> publish_study_exposure(const StudyInput& input, co
     const Words words = words_of(input.base.spec);
     Builder builder(input, result);
     ExposureTotals totals = write_exposure(*layer, builder.rows(map), result.grid.crs_wkt, words, directory);
-    totals.is_least = result.open.any();
+    totals.is_least = result.any_open();
     totals.more_columns = shown_columns(input, result);
     totals.damages = std::move(builder.damages);
     for (const DamageSum& one : totals.damages)

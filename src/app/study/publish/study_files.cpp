@@ -188,16 +188,13 @@ std::vector<ChartTitle> study_charts() {
 namespace {
 
 /// Of depth and velocity alone.
-void write_quantiles(const StudyResult& result, const QuantityMaps& maps, Quantity quantity, const std::string& name,
-                     const MapWriter& writer) {
-    std::vector<std::optional<Raster>> upper;
-    if (result.open.any()) upper = quantile_bounds(result.open, quantity, result.grid);
+void write_quantiles(const QuantityMaps& maps, const std::string& name, const MapWriter& writer) {
     for (std::size_t q = 0; q < maps.quantile.size(); ++q) {
         const std::string file = "quantile_max_" + name + "_" + k_study_quantiles[q].name;
-        if (result.open.any())
-            writer.write_quantile(file, maps.quantile[q], upper[q]);
-        else
+        if (maps.quantile_upper.empty())
             writer.write(file, maps.quantile[q]);
+        else
+            writer.write_quantile(file, maps.quantile[q], maps.quantile_upper[q]);
     }
 }
 
@@ -299,9 +296,9 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
     const std::vector<float> none(result.finished.size());
     facts.least_margin = MeanEstimate(result.finished).probability(none, 0).margin;
     for (const MappedEvents& events : mapped_events(input.base.spec)) {
-        const QuantityMaps maps = writer.write_probabilities(result.finished, result.open, result.grid, events);
+        const QuantityMaps maps = writer.write_probabilities(result, result.grid, events);
         if (events.quantity == Quantity::depth) {
-            write_quantiles(result, maps, events.quantity, "depth", writer);
+            write_quantiles(maps, "depth", writer);
             writer.write(RasterName::hit_count, maps.hits);
             if (!maps.probability.empty()) {
                 write_probability_outlines(input, maps.probability.front(), directory.path(k_outlines_file));
@@ -314,10 +311,10 @@ void publish_study_maps(const StudyInput& input, const StudyResult& result, cons
                 facts.half_reached_m2 = interval_at_least(maps.probability.front(), 0.5, maps.margin.front());
             }
         }
-        if (events.quantity == Quantity::velocity) write_quantiles(result, maps, events.quantity, "velocity", writer);
+        if (events.quantity == Quantity::velocity) write_quantiles(maps, "velocity", writer);
         facts.error.add(maps.errors);
     }
-    const QuantityMaps arrival = quantity_maps(result.finished, Quantity::arrival, result.grid, {});
+    const QuantityMaps arrival = quantity_maps(result, Quantity::arrival, result.grid, {});
     for (std::size_t q = 0; q < arrival.quantile.size(); ++q)
         writer.write(std::string("quantile_arrival_time_") + k_study_quantiles[q].name, arrival.quantile[q]);
     if (!result.equal_weights() || result.design_at.size() < 2 || result.points.are_dependent) return;

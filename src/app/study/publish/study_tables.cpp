@@ -134,7 +134,7 @@ Json figures_json(const StudyResult& result) {
             const Interval of_q = result.quantile_of(f, quantile.fraction);
             figure[name] = of_q.value;
             figure["interval_95"][name] = {number(of_q.low), number(of_q.high)};
-            if (!result.open.any()) continue;
+            if (!result.any_open()) continue;
             // Runs whose full reach is not known may have come farther: null is "more than q".
             figure["upper_bound"][name] = number(result.quantile_bound(f, quantile.fraction));
         }

@@ -146,37 +146,29 @@ double AnnualRates::bound_at(Hits runs, double rate) const {
     return value_exceeded(std::move(ended), run_rates_, open_rate_, rate);
 }
 
-RateMaps rate_maps(const AnnualRates& rates, const FinishedMembers& finished, const FinishedMembers& runs,
-                   Quantity quantity, const GridSpec& grid, const std::vector<double>& thresholds,
-                   const std::vector<double>& periods) {
+RateMaps rate_maps(const AnnualRates& rates, const StudyRuns& runs, Quantity quantity, const GridSpec& grid,
+                   const std::vector<double>& thresholds, const std::vector<double>& periods) {
     RateMaps maps;
     maps.rate.assign(thresholds.size(), Raster(grid));
     maps.margin.assign(thresholds.size(), Raster(grid, rates.exceeded({}, 0).margin));
     if (rates.has_open()) maps.upper.assign(thresholds.size(), Raster(grid, rates.bound({}, 0)));
     const Raster nothing(grid, k_no_data);
     maps.once.assign(periods.size(), {nothing, nothing, nothing});
-    for_each_hit_cell(finished, quantity, grid, [&](std::size_t cell, Hits hits) {
+    for_each_hit_cell(runs, quantity, grid, [&](std::size_t cell, Hits hits, Hits all) {
         for (std::size_t t = 0; t < thresholds.size(); ++t) {
             const AnnualRate rate = rates.exceeded(hits, thresholds[t]);
             maps.rate[t].values[cell] = rate.value;
             maps.margin[t].values[cell] = rate.margin;
+            if (rates.has_open()) maps.upper[t].values[cell] = std::max(rate.value, rates.bound(all, thresholds[t]));
         }
-        for (std::size_t i = 0; i < periods.size(); ++i) {
+        for (std::size_t i = 0; i < periods.size() && !hits.empty(); ++i) {
             const double once = 1 / periods[i], value = rates.value_at(hits, once),
-                         margin = rates.exceeded(hits, value).margin;
+                         margin = rates.exceeded(hits, value).margin, bound = rates.bound_at(all, once);
+            double& high = maps.once[i].high.values[cell];
             maps.once[i].value.values[cell] = value;
             maps.once[i].low.values[cell] = rates.value_at(hits, once + margin);
-            maps.once[i].high.values[cell] = once > margin ? rates.value_at(hits, once - margin) : k_no_data;
-        }
-    });
-    if (!rates.has_open()) return maps;
-    for_each_hit_cell(runs, quantity, grid, [&](std::size_t cell, Hits hits) {
-        for (std::size_t t = 0; t < thresholds.size(); ++t)
-            maps.upper[t].values[cell] = std::max(maps.rate[t].values[cell], rates.bound(hits, thresholds[t]));
-        for (std::size_t i = 0; i < periods.size(); ++i) {
-            double& high = maps.once[i].high.values[cell];
-            const double bound = rates.bound_at(hits, 1 / periods[i]);
-            high = std::isnan(high) || std::isinf(bound) ? k_no_data : std::max(high, bound);
+            high = once > margin ? rates.value_at(hits, once - margin) : k_no_data;
+            if (rates.has_open()) high = std::isnan(high) || std::isinf(bound) ? k_no_data : std::max(high, bound);
         }
     });
     return maps;

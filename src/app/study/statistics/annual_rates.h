@@ -24,9 +24,6 @@ struct Source {
     std::vector<double> sway{};
 };
 
-/// The values of those members, or runs, that came to a place, in order of their places.
-using Hits = std::span<const CellStore::Value>;
-
 /// Events a year, and half of the interval of 95 %.
 struct AnnualRate {
     double value = 0, margin = 0;
@@ -43,7 +40,7 @@ struct AnnualRate {
 /// the last term are squares of sums. Where no run came the margin is the greatest that a source alone has.
 class AnnualRates {
   public:
-    /// @param is_open of each run of all sources, in their order (OpenRuns)
+    /// @param is_open of each run of all sources, in their order (StudyRuns)
     AnnualRates(std::vector<Source> sources, bool is_common_rate, std::vector<bool> is_open);
     AnnualRates(const AnnualRates&) = delete;  // estimates refer to its sources
     AnnualRates& operator=(const AnnualRates&) = delete;
@@ -98,9 +95,8 @@ struct RateMaps {
     std::vector<Once> once;  ///< what is exceeded once in each period, with its interval of 95 %
 };
 
-/// @param finished, runs of the sources of `rates`, all together
-RateMaps rate_maps(const AnnualRates& rates, const FinishedMembers& finished, const FinishedMembers& runs,
-                   Quantity quantity, const GridSpec& grid, const std::vector<double>& thresholds,
-                   const std::vector<double>& periods);
+/// @param runs of the sources of `rates`, all together
+RateMaps rate_maps(const AnnualRates& rates, const StudyRuns& runs, Quantity quantity, const GridSpec& grid,
+                   const std::vector<double>& thresholds, const std::vector<double>& periods);
 
 }  // namespace frana::app::study

@@ -35,7 +35,7 @@ CellWindow reached_window(const FinishedMembers& members, const GridSpec& grid) 
 }
 
 void for_each_hit_cell(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
-                       const std::function<void(std::size_t cell, std::span<const CellStore::Value> hits)>& visit) {
+                       const std::function<void(std::size_t cell, Hits hits)>& visit) {
     if (members.size() == 0) return;
     const auto store = members.store ? members.store : std::make_shared<CellStore>(members.records);
     constexpr auto k_none = std::numeric_limits<std::uint32_t>::max();
@@ -46,7 +46,7 @@ void for_each_hit_cell(const FinishedMembers& members, Quantity quantity, const 
         places[column] = static_cast<std::uint32_t>(m);
     }
     std::vector<CellStore::Value> hits;
-    store->for_each_cell(quantity, grid, [&](std::size_t cell, std::span<const CellStore::Value> all) {
+    store->for_each_cell(quantity, grid, [&](std::size_t cell, Hits all) {
         hits.clear();
         for (const auto& [record, value] : all)
             if (record < places.size() && places[record] != k_none && !std::isnan(value))
@@ -55,21 +55,55 @@ void for_each_hit_cell(const FinishedMembers& members, Quantity quantity, const 
     });
 }
 
-void for_each_reached_cell(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
-                           const std::function<void(std::size_t cell, std::span<const float> values)>& visit) {
-    const float nothing = quantity == Quantity::arrival ? std::numeric_limits<float>::infinity() : 0.0F;
-    std::vector<float> values(members.size(), nothing);
-    for_each_hit_cell(members, quantity, grid, [&](std::size_t cell, std::span<const CellStore::Value> hits) {
-        for (const CellStore::Value& hit : hits) values[hit.record] = hit.value;
-        visit(cell, values);
-        for (const CellStore::Value& hit : hits) values[hit.record] = nothing;
+void for_each_hit_cell(const StudyRuns& runs, Quantity quantity, const GridSpec& grid,
+                       const std::function<void(std::size_t cell, Hits finished, Hits all)>& visit) {
+    constexpr auto k_none = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> places(runs.all.size(), k_none);  // among the finished members
+    for (std::size_t m = 0; m < runs.finished_at.size(); ++m)
+        places[runs.finished_at[m]] = static_cast<std::uint32_t>(m);
+    std::vector<CellStore::Value> finished;
+    for_each_hit_cell(runs.all, quantity, grid, [&](std::size_t cell, Hits all) {
+        finished.clear();
+        for (const auto& [run, value] : all)
+            if (places[run] != k_none) finished.push_back({places[run], value});
+        visit(cell, finished, all);
     });
 }
 
-double upper_bound(const OpenRuns& runs, std::span<const float> values, double threshold) {
+namespace {
+
+float nothing_of(Quantity quantity) {
+    return quantity == Quantity::arrival ? std::numeric_limits<float>::infinity() : 0.0F;
+}
+
+}  // namespace
+
+void for_each_reached_cell(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
+                           const std::function<void(std::size_t cell, std::span<const float> values)>& visit) {
+    std::vector<float> values(members.size(), nothing_of(quantity));
+    for_each_hit_cell(members, quantity, grid, [&](std::size_t cell, Hits hits) {
+        for (const CellStore::Value& hit : hits) values[hit.record] = hit.value;
+        visit(cell, values);
+        for (const CellStore::Value& hit : hits) values[hit.record] = nothing_of(quantity);
+    });
+}
+
+void for_each_reached_cell(const StudyRuns& runs, Quantity quantity, const GridSpec& grid, const RunValues& visit) {
+    const float nothing = nothing_of(quantity);
+    std::vector<float> finished(runs.finished.size(), nothing), all(runs.all.size(), nothing);
+    for_each_hit_cell(runs, quantity, grid, [&](std::size_t cell, Hits of_finished, Hits of_all) {
+        for (const CellStore::Value& hit : of_finished) finished[hit.record] = hit.value;
+        for (const CellStore::Value& hit : of_all) all[hit.record] = hit.value;
+        visit(cell, of_finished.empty() ? std::span<const float>() : finished, all);
+        for (const CellStore::Value& hit : of_finished) finished[hit.record] = nothing;
+        for (const CellStore::Value& hit : of_all) all[hit.record] = nothing;
+    });
+}
+
+double upper_bound(const StudyRuns& runs, std::span<const float> values, double threshold) {
     double sum = 0;
     for (std::size_t m = 0; m < values.size(); ++m)
-        if (static_cast<double>(values[m]) > threshold || runs.is_open[m]) sum += runs.runs.weights[m];
+        if (static_cast<double>(values[m]) > threshold || runs.is_open[m]) sum += runs.all.weights[m];
     return std::clamp(sum, 0.0, 1.0);
 }
 
@@ -210,10 +244,9 @@ double weighted_quantile(const std::vector<double>& values, const std::vector<do
     return quantile_of(std::span<const double>(values), weights, q, order);
 }
 
-void for_each_feature(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
-                      const std::vector<std::vector<std::size_t>>& cells,
-                      const std::function<void(std::size_t feature, std::span<const float> values)>& visit) {
-    const std::size_t count = members.size(),
+void for_each_feature(const StudyRuns& runs, Quantity quantity, const GridSpec& grid,
+                      const std::vector<std::vector<std::size_t>>& cells, const RunValues& visit) {
+    const std::size_t count = runs.all.size(),
                       at_once = std::max<std::size_t>(
                           1, CellStore::k_budget_bytes / sizeof(float) / std::max<std::size_t>(1, count));
     const bool is_arrival = quantity == Quantity::arrival;
@@ -222,8 +255,8 @@ void for_each_feature(const FinishedMembers& members, Quantity quantity, const G
         std::multimap<std::size_t, std::size_t> features;  // by cell
         for (std::size_t feature = first; feature < last; ++feature)
             for (const std::size_t cell : cells[feature]) features.emplace(cell, feature - first);
-        std::vector<float> all((last - first) * count, is_arrival ? std::numeric_limits<float>::infinity() : 0.0F);
-        for_each_reached_cell(members, quantity, grid, [&](std::size_t cell, std::span<const float> values) {
+        std::vector<float> all((last - first) * count, nothing_of(quantity)), finished(runs.finished.size());
+        for_each_reached_cell(runs.all, quantity, grid, [&](std::size_t cell, std::span<const float> values) {
             const auto [begin, end] = features.equal_range(cell);
             for (auto one = begin; one != end; ++one)
                 for (std::size_t m = 0; m < count; ++m) {
@@ -231,8 +264,11 @@ void for_each_feature(const FinishedMembers& members, Quantity quantity, const G
                     value = is_arrival ? std::min(value, values[m]) : std::max(value, values[m]);
                 }
         });
-        for (std::size_t feature = first; feature < last; ++feature)
-            visit(feature, {all.data() + (feature - first) * count, count});
+        for (std::size_t feature = first; feature < last; ++feature) {
+            const std::span<const float> of_all(all.data() + (feature - first) * count, count);
+            for (std::size_t m = 0; m < finished.size(); ++m) finished[m] = of_all[runs.finished_at[m]];
+            visit(feature, finished, of_all);
+        }
     }
 }
 

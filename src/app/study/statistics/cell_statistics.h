@@ -35,21 +35,31 @@ struct FinishedMembers {
     [[nodiscard]] double effective_size() const { return effective_count(weights); }
 };
 
-/// All runs of a study with those that failed: of some nobody knows where they would have come.
-struct OpenRuns {
-    FinishedMembers runs;       ///< weights over all of them
-    std::vector<bool> is_open;  ///< of each: it was cut, held, left the ground or failed
+/// The runs of a study: those that finished, whose values count, and all, for upper bounds: of open ones nobody knows
+/// where they would have come.
+struct StudyRuns {
+    FinishedMembers finished;              ///< whose maps are used
+    std::vector<std::size_t> finished_at;  ///< their places among all runs
+    FinishedMembers all;                   ///< weights over all of them, no replicates
+    std::vector<bool> is_open;             ///< of each of all: it was cut, held, left the ground or failed
 
-    [[nodiscard]] bool any() const { return std::find(is_open.begin(), is_open.end(), true) != is_open.end(); }
+    [[nodiscard]] bool any_open() const { return std::find(is_open.begin(), is_open.end(), true) != is_open.end(); }
 };
 
 /// Returns the probability that a value exceeds a threshold if every open run exceeds it.
-double upper_bound(const OpenRuns& runs, std::span<const float> values, double threshold);
+/// @param values of all runs
+double upper_bound(const StudyRuns& runs, std::span<const float> values, double threshold);
 
-/// Calls visit(cell, hits) for every cell of a grid that any member reached, in order of cells; hits are the values of
-/// those that came, by place among the members. Otherwise as for_each_reached_cell().
+/// Values of members, or runs, that came to a place, in order of their places among all.
+using Hits = std::span<const CellStore::Value>;
+
+/// Calls visit(cell, hits) for every cell of a grid that any member reached, in order of cells. Otherwise as
+/// for_each_reached_cell().
 void for_each_hit_cell(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
-                       const std::function<void(std::size_t cell, std::span<const CellStore::Value> hits)>& visit);
+                       const std::function<void(std::size_t cell, Hits hits)>& visit);
+/// The same for every cell that any run reached, with the hits of finished members and of all runs.
+void for_each_hit_cell(const StudyRuns& runs, Quantity quantity, const GridSpec& grid,
+                       const std::function<void(std::size_t cell, Hits finished, Hits all)>& visit);
 
 /// Calls visit(cell, values) for every cell of a grid that any member reached, in order of cells; values has one number
 /// for each member, 0 (arrival: infinity) where it did not come.
@@ -57,6 +67,10 @@ void for_each_hit_cell(const FinishedMembers& members, Quantity quantity, const 
 /// record is read once (CellStore). Throws Error(environment) for a record that cannot be read.
 void for_each_reached_cell(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
                            const std::function<void(std::size_t cell, std::span<const float> values)>& visit);
+/// Values of the finished members, empty where none of them came, and of all runs.
+using RunValues = std::function<void(std::size_t at, std::span<const float> finished, std::span<const float> all)>;
+/// The same for every cell that any run reached.
+void for_each_reached_cell(const StudyRuns& runs, Quantity quantity, const GridSpec& grid, const RunValues& visit);
 
 /// Returns the window that contains both; one without rows is none.
 CellWindow window_of_both(const CellWindow& a, const CellWindow& b);
@@ -131,13 +145,12 @@ double weighted_quantile(std::span<const float> values, const std::vector<double
 /// The same for a figure of the members; the weights have a sum of 1.
 double weighted_quantile(const std::vector<double>& values, const std::vector<double>& weights, double q);
 
-/// Calls visit(feature, values) for every feature, in order; values has one number for each member: the greatest value
-/// in any of the feature's cells (arrival: the least), 0 (arrival: infinity) where the member reached none. Memory is
-/// bounded by a budget, whatever the number of members and features. Throws Error(environment) for a record that cannot
-/// be read.
+/// Calls visit(feature, finished, all) for every feature, in order, with one number for each member or run: the
+/// greatest value in any of the feature's cells (arrival: the least), 0 (arrival: infinity) where it reached none.
+/// Memory is bounded by a budget, whatever the number of members and features. Throws Error(environment) for a record
+/// that cannot be read.
 /// @param cells of each feature, on the grid
-void for_each_feature(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
-                      const std::vector<std::vector<std::size_t>>& cells,
-                      const std::function<void(std::size_t feature, std::span<const float> values)>& visit);
+void for_each_feature(const StudyRuns& runs, Quantity quantity, const GridSpec& grid,
+                      const std::vector<std::vector<std::size_t>>& cells, const RunValues& visit);
 
 }  // namespace frana::app::study

@@ -16,69 +16,53 @@ namespace frana::app::study {
 
 namespace {
 
-/// Calls visit(member, record, cell, index) for the cells that each member reached.
-template <class Visit>
-void for_each_cell(const std::vector<UnionMember>& members, const GridSpec& grid, const Visit& visit) {
-    for (const UnionMember& member : members) {
-        const MemberRecord record = require_record(member.record);
-        record.for_each_cell(grid, [&](std::int64_t row, std::int64_t column, std::size_t index) {
-            if (row < 0 || column < 0 || row >= grid.rows || column >= grid.columns) return;
-            visit(member, record, static_cast<std::size_t>(row * grid.columns + column), index);
-        });
-    }
-}
-
-/// The greatest value in each cell; `value_of` returns NaN where a member has none.
+/// The greatest value in each cell; `value_of` a hit returns NaN if it has none.
 template <class ValueOf>
-Raster worst_of(const std::vector<UnionMember>& members, const GridSpec& grid, const ValueOf& value_of) {
+Raster worst_of(const FinishedMembers& members, Quantity quantity, const GridSpec& grid, const ValueOf& value_of) {
     Raster worst(grid, k_no_data);
-    for_each_cell(members, grid,
-                  [&](const UnionMember& member, const MemberRecord& record, std::size_t cell, std::size_t index) {
-                      const double value = value_of(member, record, index);
-                      if (!std::isnan(value)) worst.values[cell] = std::fmax(worst.values[cell], value);
-                  });
+    for_each_hit_cell(members, quantity, grid, [&](std::size_t cell, Hits hits) {
+        double greatest = k_no_data;
+        for (const CellStore::Value& hit : hits) greatest = std::fmax(greatest, value_of(hit));
+        if (!std::isnan(greatest)) worst.values[cell] = greatest;
+    });
     return worst;
 }
 
 }  // namespace
 
-DepthUnion depth_union(const std::vector<UnionMember>& members, const GridSpec& grid) {
+DepthUnion depth_union(const FinishedMembers& members, const GridSpec& grid) {
     DepthUnion maps{Raster(grid, k_no_data), Raster(grid, k_no_data), Raster(grid, k_no_data)};
-    for_each_cell(members, grid,
-                  [&](const UnionMember& member, const MemberRecord& record, std::size_t cell, std::size_t index) {
-                      const auto depth = static_cast<double>(record.depth[index]);
-                      double& deepest = maps.depth.values[cell];
-                      if (std::isnan(deepest) || depth > deepest) {
-                          deepest = depth;
-                          maps.worst.values[cell] = static_cast<double>(member.number);
-                      }
-                      double& hits = maps.hits.values[cell];
-                      hits = (std::isnan(hits) ? 0 : hits) + (depth > 0 ? 1 : 0);
-                  });
+    for_each_hit_cell(members, Quantity::depth, grid, [&](std::size_t cell, Hits hits) {
+        const auto deepest =
+            std::max_element(hits.begin(), hits.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+        maps.depth.values[cell] = static_cast<double>(deepest->value);
+        maps.worst.values[cell] = static_cast<double>(members.columns[deepest->record]);
+        maps.hits.values[cell] = static_cast<double>(
+            std::count_if(hits.begin(), hits.end(), [](const CellStore::Value& hit) { return hit.value > 0; }));
+    });
     return maps;
 }
 
-Raster greatest_of(const std::vector<UnionMember>& members, Quantity quantity, const GridSpec& grid) {
-    return worst_of(members, grid, [&](const UnionMember&, const MemberRecord& record, std::size_t index) {
-        const std::vector<float>& values = record.of(quantity);
-        const double value = values.empty() ? k_no_data : static_cast<double>(values[index]);
-        return quantity == Quantity::intensity && !(value > 0) ? k_no_data : value;
+Raster greatest_of(const FinishedMembers& members, Quantity quantity, const GridSpec& grid) {
+    return worst_of(members, quantity, grid, [&](const CellStore::Value& hit) {
+        return quantity == Quantity::intensity && !(hit.value > 0) ? k_no_data : static_cast<double>(hit.value);
     });
 }
 
-Raster earliest_arrival(const std::vector<UnionMember>& members, const GridSpec& grid) {
-    Raster earliest = worst_of(members, grid, [](const UnionMember&, const MemberRecord& record, std::size_t index) {
-        const auto arrival = static_cast<double>(record.arrival[index]);
-        return std::isfinite(arrival) ? -arrival : k_no_data;
+Raster earliest_arrival(const FinishedMembers& members, const GridSpec& grid) {
+    Raster earliest = worst_of(members, Quantity::arrival, grid, [](const CellStore::Value& hit) {
+        return std::isfinite(hit.value) ? -static_cast<double>(hit.value) : k_no_data;
     });
     earliest.values.for_each_stored([&](std::size_t cell, double value) { earliest.values[cell] = -value; });
     return earliest;
 }
 
-Raster worst_degree(const std::vector<UnionMember>& members, const GridSpec& grid, const DegreeMatrix& degrees) {
-    return worst_of(members, grid, [&](const UnionMember& member, const MemberRecord& record, std::size_t index) {
-        if (record.intensity.empty() || !(record.intensity[index] >= 1) || !member.return_period) return k_no_data;
-        return static_cast<double>(degrees.of(static_cast<int>(record.intensity[index]), *member.return_period));
+Raster worst_degree(const FinishedMembers& members, const std::vector<std::optional<double>>& periods,
+                    const GridSpec& grid, const DegreeMatrix& degrees) {
+    return worst_of(members, Quantity::intensity, grid, [&](const CellStore::Value& hit) {
+        const auto& period = periods[hit.record];
+        return hit.value >= 1 && period ? static_cast<double>(degrees.of(static_cast<int>(hit.value), *period))
+                                        : k_no_data;
     });
 }
 
@@ -145,23 +129,44 @@ double ErrorSummary::mean() const {
     return count > 0 ? sum / count : 0;
 }
 
-QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
+QuantityMaps quantity_maps(const StudyRuns& runs, Quantity quantity, const GridSpec& grid,
                            const std::vector<double>& thresholds) {
     QuantityMaps maps;
-    const bool arrival = quantity == Quantity::arrival,
+    const bool arrival = quantity == Quantity::arrival, has_open = !arrival && runs.any_open(),
                has_distribution = quantity == Quantity::depth || quantity == Quantity::velocity;
+    const FinishedMembers& members = runs.finished;
     const MeanEstimate estimate(members);
     if (!arrival) {
         maps.probability.assign(thresholds.size(), Raster(grid));
-        const std::vector<float> nowhere(members.size());
+        const std::vector<float> nowhere(members.size()), of_all(runs.all.size());
         const double margin = members.size() > 0 ? estimate.probability(nowhere, 0).margin : 1;
         maps.margin.assign(thresholds.size(), Raster(grid, margin));
+        for (std::size_t t = 0; t < thresholds.size() && has_open; ++t)
+            maps.upper.emplace_back(grid, upper_bound(runs, of_all, thresholds[t]));
     }
     if (has_distribution) maps.hits = Raster(grid, k_no_data);
     if (has_distribution || arrival) maps.quantile.assign(std::size(k_study_quantiles), Raster(grid, k_no_data));
-    if (members.size() == 0) return maps;
+    double open = 0;
+    for (std::size_t m = 0; m < runs.is_open.size(); ++m) open += runs.is_open[m] ? runs.all.weights[m] : 0;
+    for (std::size_t q = 0; q < std::size(k_study_quantiles) && has_distribution && has_open; ++q)
+        maps.quantile_upper.push_back(open > 1 - k_study_quantiles[q].fraction + k_weight_rounding
+                                          ? std::nullopt
+                                          : std::optional(Raster(grid, k_no_data)));
     std::vector<std::size_t> order;
-    for_each_reached_cell(members, quantity, grid, [&](std::size_t cell, std::span<const float> values) {
+    std::vector<float> extreme;
+    const auto add_bounds = [&](std::size_t cell, std::span<const float> all) {
+        for (std::size_t t = 0; t < maps.upper.size(); ++t)
+            maps.upper[t].values[cell] =
+                std::max(std::as_const(maps.probability[t]).values[cell], upper_bound(runs, all, thresholds[t]));
+        extreme.assign(all.begin(), all.end());
+        for (std::size_t m = 0; m < extreme.size(); ++m)
+            if (runs.is_open[m]) extreme[m] = std::numeric_limits<float>::infinity();
+        for (std::size_t q = 0; q < maps.quantile_upper.size(); ++q)
+            if (auto& bound = maps.quantile_upper[q])
+                if (const double value = quantile_at(extreme, runs.all.weights, q, order); !std::isnan(value))
+                    bound->values[cell] = value;
+    };
+    const auto add_finished = [&](std::size_t cell, std::span<const float> values) {
         if (arrival) {
             const Arrived arrived = arrived_of(values, members.weights);
             for (std::size_t q = 0; q < std::size(k_study_quantiles) && !arrived.values.empty(); ++q)
@@ -181,42 +186,13 @@ QuantityMaps quantity_maps(const FinishedMembers& members, Quantity quantity, co
                 maps.quantile[q].values[cell] = value;
         maps.hits.values[cell] =
             static_cast<double>(std::count_if(values.begin(), values.end(), [](float v) { return v > 0; }));
-    });
+    };
+    for_each_reached_cell(runs, quantity, grid,
+                          [&](std::size_t cell, std::span<const float> finished, std::span<const float> all) {
+                              if (!finished.empty()) add_finished(cell, finished);
+                              if (has_open) add_bounds(cell, all);
+                          });
     return maps;
-}
-
-std::vector<Raster> probability_bounds(const std::vector<Raster>& probability, const OpenRuns& runs, Quantity quantity,
-                                       const std::vector<double>& thresholds, const GridSpec& grid) {
-    const std::vector<float> nothing(runs.is_open.size(), 0.0F);
-    std::vector<Raster> bounds;
-    for (const double threshold : thresholds) bounds.emplace_back(grid, upper_bound(runs, nothing, threshold));
-    for_each_reached_cell(runs.runs, quantity, grid, [&](std::size_t cell, std::span<const float> values) {
-        for (std::size_t t = 0; t < thresholds.size(); ++t)
-            bounds[t].values[cell] = std::max(probability[t].values[cell], upper_bound(runs, values, thresholds[t]));
-    });
-    return bounds;
-}
-
-std::vector<std::optional<Raster>> quantile_bounds(const OpenRuns& runs, Quantity quantity, const GridSpec& grid) {
-    double open = 0;
-    for (std::size_t m = 0; m < runs.is_open.size(); ++m) open += runs.is_open[m] ? runs.runs.weights[m] : 0;
-    std::vector<std::optional<Raster>> bounds;
-    for (const StudyQuantile& quantile : k_study_quantiles)
-        bounds.push_back(open > 1 - quantile.fraction + k_weight_rounding ? std::nullopt
-                                                                          : std::optional(Raster(grid, k_no_data)));
-    std::vector<std::size_t> order;
-    std::vector<float> extreme;
-    for_each_reached_cell(runs.runs, quantity, grid, [&](std::size_t cell, std::span<const float> values) {
-        extreme.assign(values.begin(), values.end());
-        for (std::size_t m = 0; m < extreme.size(); ++m)
-            if (runs.is_open[m]) extreme[m] = std::numeric_limits<float>::infinity();
-        for (std::size_t q = 0; q < bounds.size(); ++q) {
-            if (!bounds[q]) continue;
-            const double value = quantile_at(extreme, runs.runs.weights, q, order);
-            if (!std::isnan(value)) bounds[q]->values[cell] = value;
-        }
-    });
-    return bounds;
 }
 
 ErrorSummary error_of(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,

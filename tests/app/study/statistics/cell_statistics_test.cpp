@@ -21,7 +21,7 @@ TEST_F(Cells, ProbabilityIsTheFractionOfMembersAboveTheThreshold) {
     add(record(1, {0.7F}));
     add(record(0, {0.5F}));
     add(record(1, {0.4F}));
-    const QuantityMaps maps = quantity_maps(members_, Quantity::depth, grid_, {0.1, 0.5});
+    const QuantityMaps maps = quantity_maps(runs(), Quantity::depth, grid_, {0.1, 0.5});
     EXPECT_EQ(maps.probability[0].at(0, 0), 0.5);
     EXPECT_EQ(maps.probability[1].at(0, 0), 0);  // 0.5 is not more than 0.5
     EXPECT_EQ(maps.probability[1].at(0, 1), 0.5);
@@ -32,7 +32,7 @@ TEST_F(Cells, ProbabilityIsTheFractionOfMembersAboveTheThreshold) {
     EXPECT_EQ(maps.margin[0].at(2, 3), 0.75);  // 3 / 4
     EXPECT_TRUE(std::isnan(maps.hits.at(2, 3)));
     EXPECT_EQ(maps.hits.at(0, 1), 3);
-    const QuantityMaps arrival = quantity_maps(members_, Quantity::arrival, grid_, {});
+    const QuantityMaps arrival = quantity_maps(runs(), Quantity::arrival, grid_, {});
     EXPECT_FLOAT_EQ(static_cast<float>(arrival.quantile[1].at(0, 0)), 1.2F);  // of the two that came
 }
 
@@ -40,7 +40,7 @@ TEST_F(Cells, ProbabilityIsTheFractionOfMembersAboveTheThreshold) {
 TEST_F(Cells, WhereAllMembersCameTheProbabilityIsOneWithinAMargin) {
     for (int i = 0; i < 49; ++i) add(record(0, {1}));
     for (double& weight : members_.weights) weight = 1.0 / 49;
-    const QuantityMaps maps = quantity_maps(members_, Quantity::depth, grid_, {0.5});
+    const QuantityMaps maps = quantity_maps(runs(), Quantity::depth, grid_, {0.5});
     EXPECT_EQ(maps.probability[0].at(0, 0), 1);
     EXPECT_NEAR(maps.margin[0].at(0, 0), 3.0 / 49, 1e-12);
     EXPECT_EQ(error_of(members_, Quantity::depth, grid_, {0.5}).mean(), 0);
@@ -51,12 +51,13 @@ TEST_F(Cells, WhatWasCutOrFailedMayHaveComeAnywhere) {
     add(record(0, {1, 1}));  // finished
     add(record(0, {0.1F}));  // finished
     add(record(4, {1}));     // cut: it counts as far as it came
-    const RecordPlace failed = keep("failed", record(8, {2}));
-    const QuantityMaps maps = quantity_maps(members_, Quantity::depth, grid_, {0.5});
-    OpenRuns runs{members_, {false, false, true, true}};
-    runs.runs.records.push_back(failed);
-    runs.runs.weights.assign(4, 0.25);
-    const Raster upper = probability_bounds(maps.probability, runs, Quantity::depth, {0.5}, grid_).front();
+    StudyRuns all = runs();
+    all.is_open = {false, false, true, true};
+    all.all.records.push_back(keep("failed", record(8, {2})));
+    all.all.weights.assign(4, 0.25);
+    const QuantityMaps maps = quantity_maps(all, Quantity::depth, grid_, {0.5});
+    const Raster& upper = maps.upper.front();
+    EXPECT_TRUE(std::isnan(maps.hits.at(2, 0)));  // only the failed one came
     EXPECT_DOUBLE_EQ(maps.probability[0].at(0, 0), 1.0 / 3);
     EXPECT_DOUBLE_EQ(upper.at(0, 0), 0.75);
     EXPECT_DOUBLE_EQ(maps.probability[0].at(1, 0), 1.0 / 3);
@@ -68,25 +69,27 @@ TEST_F(Cells, WhatWasCutOrFailedMayHaveComeAnywhere) {
 // One of five runs is open: half of all is 5/8 of the others, and the 95 % quantile has no bound.
 TEST_F(Cells, AQuantileIsBoundedByTheRunsThatEnded) {
     for (const float depth : {1, 2, 3, 4}) add(record(0, {depth}));
-    OpenRuns runs{members_, {false, false, false, false, true}};
-    runs.runs.records.push_back(keep("open", record(0, {0.5F})));
-    runs.runs.weights.assign(5, 0.2);
-    const auto upper = quantile_bounds(runs, Quantity::depth, grid_);
+    StudyRuns all = runs();
+    all.is_open = {false, false, false, false, true};
+    all.all.records.push_back(keep("open", record(0, {0.5F})));
+    all.all.weights.assign(5, 0.2);
+    const QuantityMaps maps = quantity_maps(all, Quantity::depth, grid_, {});
+    const auto& upper = maps.quantile_upper;
     ASSERT_TRUE(upper[0] && upper[1]);
     EXPECT_EQ(upper[0]->at(0, 0), 1);
     EXPECT_EQ(upper[1]->at(0, 0), 3);
     EXPECT_FALSE(upper[2]);
-    EXPECT_EQ(quantity_maps(members_, Quantity::depth, grid_, {}).quantile[1].at(0, 0), 2);
+    EXPECT_EQ(maps.quantile[1].at(0, 0), 2);
 }
 
 TEST_F(Cells, WeightsCountAsCopiesOfMembers) {
     add(record(0, {1}));
     add(record(0, {2}));
     members_.weights = {0.75, 0.25};
-    const QuantityMaps weighted = quantity_maps(members_, Quantity::depth, grid_, {1.5});
+    const QuantityMaps weighted = quantity_maps(runs(), Quantity::depth, grid_, {1.5});
     add(record(0, {1}));
     add(record(0, {1}));
-    const QuantityMaps copies = quantity_maps(members_, Quantity::depth, grid_, {1.5});
+    const QuantityMaps copies = quantity_maps(runs(), Quantity::depth, grid_, {1.5});
     EXPECT_DOUBLE_EQ(weighted.probability[0].at(0, 0), copies.probability[0].at(0, 0));
     for (std::size_t q = 0; q < 3; ++q) EXPECT_EQ(weighted.quantile[q].at(0, 0), copies.quantile[q].at(0, 0)) << q;
     EXPECT_DOUBLE_EQ(effective_count({0.75, 0.25}), 1.6);  // 1 / (9/16 + 1/16)
@@ -108,7 +111,7 @@ TEST_F(Cells, ReplicatesThatAgreeCountOnce) {
         add(record(0, {i % 2 == 0 ? 1.0F : 0.0F}));
         members_.replicates.push_back(static_cast<std::size_t>(i % 4));
     }
-    const QuantityMaps maps = quantity_maps(members_, Quantity::depth, grid_, {0.5});
+    const QuantityMaps maps = quantity_maps(runs(), Quantity::depth, grid_, {0.5});
     EXPECT_EQ(maps.probability[0].at(0, 0), 0.5);
     const double error = 0.5 / std::sqrt(3.0);  // sd of 1, 0, 1, 0 over sqrt(4)
     EXPECT_DOUBLE_EQ(maps.errors.largest(), error);
