@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/study/member_record.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <limits>
 
 #include "analysis/ground_statistics.h"
-#include "core/archive.h"
 #include "core/error.h"
-#include "core/files.h"
 #include "core/words/words.h"
 #include "params/keys/result_rasters.h"
 #include "simulation/run_check.h"
@@ -20,23 +14,6 @@
 
 namespace frana::app::study {
 namespace {
-
-/// Increases with every change of what a record contains.
-constexpr std::uint32_t k_format = 6;
-constexpr std::size_t k_head_bytes = RecordHead::k_bytes - sizeof MemberRecord::member;
-
-/// By Quantity.
-constexpr std::vector<float> MemberRecord::*k_values[] = {
-    &MemberRecord::depth,     &MemberRecord::velocity, &MemberRecord::arrival, &MemberRecord::pressure,
-    &MemberRecord::intensity, &MemberRecord::deposit,  &MemberRecord::momentum};
-
-void add_bytes(std::string& bytes, const void* from, std::size_t count) {
-    bytes.append(static_cast<const char*>(from), count);
-}
-
-std::uint32_t crc_of(const char* bytes, std::size_t count) {
-    return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(bytes), count));
-}
 
 /// Why a run's figures are those of another event than its scene; empty: they are good.
 std::string failure_of(const RunResult& result) {
@@ -70,10 +47,10 @@ void add_cells(const ReachedPlaces& reached, MemberRecord& record) {
         if (record.runs.empty() || record.runs.back().first + record.runs.back().count != cell)
             record.runs.push_back({cell, 0});
         ++record.runs.back().count;
-        record.depth.push_back(number(depth));
-        record.arrival.push_back(number(reached(RasterName::arrival_time).values[cell]));
+        record.of(Quantity::depth).push_back(number(depth));
+        record.of(Quantity::arrival).push_back(number(reached(RasterName::arrival_time).values[cell]));
     });
-    record.velocity = values_at(record, reached(RasterName::max_velocity));
+    record.of(Quantity::velocity) = values_at(record, reached(RasterName::max_velocity));
 }
 
 }  // namespace
@@ -81,10 +58,6 @@ void add_cells(const ReachedPlaces& reached, MemberRecord& record) {
 double value_of(const std::vector<Figure>& figures, const std::string& key) {
     const auto found = std::find_if(figures.begin(), figures.end(), [&](const Figure& one) { return one.key == key; });
     return found == figures.end() ? k_no_data : found->value;
-}
-
-const std::vector<float>& MemberRecord::of(Quantity quantity) const noexcept {
-    return this->*k_values[static_cast<std::size_t>(quantity)];
 }
 
 CellWindow MemberRecord::place_in(const GridSpec& grid) const {
@@ -113,10 +86,10 @@ CellWindow MemberRecord::reached(const GridSpec& grid) const {
 
 Raster MemberRecord::raster(Quantity quantity, const GridSpec& grid) const {
     Raster raster(grid, k_no_data);
-    const std::vector<float>& values = of(quantity);
+    const std::vector<float>& kept = of(quantity);
     for_each_cell(grid, [&](std::int64_t row, std::int64_t column, std::size_t index) {
         if (row >= 0 && column >= 0 && row < grid.rows && column < grid.columns)
-            raster.at(row, column) = static_cast<double>(values[index]);
+            raster.at(row, column) = static_cast<double>(kept[index]);
     });
     return raster;
 }
@@ -134,7 +107,7 @@ MemberRecord empty_record(std::uint64_t member, const GridSpec& grid) {
 
 MemberRecord without_cells(MemberRecord record) {
     record.runs = {};
-    for (std::vector<float> MemberRecord::*const of : k_values) record.*of = {};
+    record.values = {};
     return record;
 }
 
@@ -157,72 +130,16 @@ MemberRecord record_of(std::uint64_t member, const RunResult& result, const Scen
     record.particle_steps = result.particle_steps;
     const ReachedPlaces reached(result);
     add_cells(reached, record);
-    if (extras.pressure) record.pressure = values_at(record, reached(RasterName::max_pressure));
-    if (extras.momentum) record.momentum = values_at(record, reached(RasterName::max_momentum_flux));
-    if (extras.scheme) record.intensity = values_at(record, intensity_classes(result, *extras.scheme));
+    if (extras.pressure) record.of(Quantity::pressure) = values_at(record, reached(RasterName::max_pressure));
+    if (extras.momentum) record.of(Quantity::momentum) = values_at(record, reached(RasterName::max_momentum_flux));
+    if (extras.scheme) record.of(Quantity::intensity) = values_at(record, intensity_classes(result, *extras.scheme));
     if (extras.deposit == Deposit::elevation_change)
-        record.deposit = values_at(record, result.raster(RasterName::elevation_change));
+        record.of(Quantity::deposit) = values_at(record, result.raster(RasterName::elevation_change));
     if (extras.deposit == Deposit::final_depth)
-        record.deposit = values_at(
+        record.of(Quantity::deposit) = values_at(
             record, result.depth_is_normal
                         ? vertical_depth(result.raster(RasterName::final_depth), result.raster(RasterName::bed))
                         : result.raster(RasterName::final_depth));
-    return record;
-}
-
-std::string bytes_of(MemberRecord record) {
-    std::string content;
-    StateWriter writer(content);
-    writer(record);
-    std::string bytes;
-    add_bytes(bytes, RecordHead::k_magic, sizeof RecordHead::k_magic);
-    add_bytes(bytes, &k_format, sizeof k_format);
-    const std::uint64_t size = content.size();
-    add_bytes(bytes, &size, sizeof size);
-    bytes += content;
-    const std::uint32_t crc = crc_of(bytes.data(), bytes.size());
-    add_bytes(bytes, &crc, sizeof crc);
-    return bytes;
-}
-
-std::optional<RecordHead> record_head(const std::string& bytes) {
-    std::uint32_t format = 0;
-    RecordHead head;
-    if (bytes.size() < RecordHead::k_bytes || !bytes.starts_with({RecordHead::k_magic, sizeof RecordHead::k_magic}))
-        return std::nullopt;
-    const char* from = bytes.data() + sizeof RecordHead::k_magic;
-    const auto take = [&](auto& value) {
-        std::memcpy(&value, from, sizeof value);
-        from += sizeof value;
-    };
-    take(format);
-    take(head.bytes);
-    take(head.member);
-    if (format != k_format || head.bytes > std::numeric_limits<std::uint64_t>::max() / 2) return std::nullopt;
-    head.bytes += k_head_bytes + sizeof(std::uint32_t);
-    return head;
-}
-
-std::optional<MemberRecord> record_from(const std::string& bytes) {
-    const auto head = record_head(bytes);
-    if (!head || head->bytes != bytes.size()) return std::nullopt;
-    std::uint32_t crc = 0;
-    std::memcpy(&crc, bytes.data() + bytes.size() - sizeof crc, sizeof crc);
-    if (crc != crc_of(bytes.data(), bytes.size() - sizeof crc)) return std::nullopt;
-    StateReader reader(std::string_view(bytes).substr(k_head_bytes, bytes.size() - sizeof crc - k_head_bytes));
-    MemberRecord record;
-    try {
-        reader(record);
-        StateReader::require(reader.left() == 0);
-        std::uint64_t cells = 0;
-        for (const CellRun& run : record.runs) cells += run.count;
-        for (const Quantity quantity : {Quantity::depth, Quantity::velocity, Quantity::arrival})
-            StateReader::require(cells == record.of(quantity).size());
-        for (const Quantity quantity : {Quantity::pressure, Quantity::intensity, Quantity::deposit, Quantity::momentum})
-            StateReader::require(record.of(quantity).empty() || cells == record.of(quantity).size());
-    } catch (const Error&) {
-        return std::nullopt;
-    }
     return record;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -43,9 +44,18 @@ void serialise(Archive& archive, CellRun& run) {
     archive(run.first, run.count);
 }
 
-/// What a member's flow left behind, where it came; as in the Float32 rasters of a run: maxima, the class of intensity,
-/// and what a surveyed deposit is compared with.
-enum class Quantity { depth, velocity, arrival, pressure, intensity, deposit, momentum };
+/// What a member's flow left behind, where it came; as in the Float32 rasters of a run. After the first three each is
+/// kept only if something is made of it (RecordExtras).
+enum class Quantity {
+    depth,      ///< maximum, vertical [m]
+    velocity,   ///< maximum, along the bed [m/s]
+    arrival,    ///< [s]
+    pressure,   ///< maximum [kPa]
+    intensity,  ///< class
+    deposit,    ///< what a surveyed one is compared with, vertical [m]
+    momentum    ///< maximum of depth times speed squared [m3/s2]
+};
+inline constexpr std::size_t k_quantities = 7, k_least_quantities = 3;
 
 /// The key with which `frana run` repeats a member that ran on.
 inline constexpr const char* k_end_key = "time.end";
@@ -88,19 +98,19 @@ struct MemberRecord {
     std::int64_t particle_steps = 0;            ///< work of the engine, the same in every run
     double west = 0, north = 0, cell_size = 1;  ///< of its working grid
     std::int64_t columns = 0, rows = 0;
-    std::vector<CellRun> runs;     ///< cells of that grid that the flow reached, in order
-    std::vector<float> depth;      ///< of these cells: maximum, vertical [m]
-    std::vector<float> velocity;   ///< maximum, along the bed [m/s]
-    std::vector<float> arrival;    ///< [s]
-    std::vector<float> pressure;   ///< maximum [kPa]; empty unless asked for
-    std::vector<float> intensity;  ///< class; likewise
-    std::vector<float> deposit;    ///< what RecordExtras::deposit names, vertical [m]; likewise
-    std::vector<float> momentum;   ///< maximum of depth times speed squared [m3/s2]; likewise
+    std::vector<CellRun> runs;  ///< cells of that grid that the flow reached, in order
+    /// By Quantity, of these cells; empty where nothing is made of it.
+    std::array<std::vector<float>, k_quantities> values;
 
     /// Its grid, without CRS.
     [[nodiscard]] GridSpec grid() const { return {west, north, cell_size, columns, rows, {}}; }
     [[nodiscard]] bool finished() const noexcept { return failure.empty(); }
-    [[nodiscard]] const std::vector<float>& of(Quantity quantity) const noexcept;
+    [[nodiscard]] const std::vector<float>& of(Quantity quantity) const noexcept {
+        return values[static_cast<std::size_t>(quantity)];
+    }
+    [[nodiscard]] std::vector<float>& of(Quantity quantity) noexcept {
+        return values[static_cast<std::size_t>(quantity)];
+    }
     /// Returns a quantity as a raster on a grid in which it has a place; NaN where the flow did not come.
     [[nodiscard]] Raster raster(Quantity quantity, const GridSpec& grid) const;
     /// Returns its grid's place in another grid with the same cells. Throws Error(input) if it has others.
@@ -109,7 +119,7 @@ struct MemberRecord {
     /// none.
     [[nodiscard]] CellWindow reached(const GridSpec& grid) const;
     /// Calls visit(row, column, index) for the cells that the flow reached, by rows and columns of such a grid, which
-    /// may be outside it. `index` is the cell's place in depth, velocity and arrival.
+    /// may be outside it. `index` is the cell's place in each of `values`.
     template <class Visit>
     void for_each_cell(const GridSpec& grid, const Visit& visit) const {
         const CellWindow place = place_in(grid);
@@ -127,8 +137,7 @@ template <class Archive>
 void serialise(Archive& archive, MemberRecord& record) {
     archive(record.member, record.key_values, record.end, record.failure, record.figures, record.engine_seconds,
             record.particle_steps, record.west, record.north, record.cell_size, record.columns, record.rows,
-            record.runs, record.depth, record.velocity, record.arrival, record.pressure, record.intensity,
-            record.deposit, record.momentum);
+            record.runs, record.values);
 }
 
 /// Returns a record without figures and cells, of a member on a grid.
@@ -151,23 +160,5 @@ struct RecordExtras {
 /// @param threshold depth from which a cell belongs to the covered area [m]
 MemberRecord record_of(std::uint64_t member, const RunResult& result, const Scene& scene, double threshold,
                        const RecordExtras& extras = {});
-
-/// Returns a record as it is in its file:
-///
-///     8 bytes "frana mb", format, bytes of the rest, member | rest of the record | CRC-32 of all before
-std::string bytes_of(MemberRecord record);
-
-/// Returns a record whose every byte has been checked; none if they are damaged or have another format.
-std::optional<MemberRecord> record_from(const std::string& bytes);
-
-/// What the first bytes of a record tell.
-struct RecordHead {
-    static constexpr char k_magic[8] = {'f', 'r', 'a', 'n', 'a', ' ', 'm', 'b'};
-    static constexpr std::size_t k_bytes = sizeof k_magic + sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t);
-
-    std::uint64_t member = 0, bytes = 0;  ///< bytes: of the whole record
-};
-/// Returns none if these are no such bytes, or have another format.
-std::optional<RecordHead> record_head(const std::string& bytes);
 
 }  // namespace frana::app::study

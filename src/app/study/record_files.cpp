@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/study/record_files.h"
 
+#include <zlib.h>
+
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "app/store/interrupted_run.h"
 #include "app/store/result_files.h"
 #include "app/text/text_file.h"
+#include "core/archive.h"
 #include "core/error.h"
 #include "core/files.h"
 
@@ -18,6 +23,34 @@ namespace frana::app::study {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::string_view k_magic = "frana mb";
+/// Increases with every change of what a record contains.
+constexpr std::uint32_t k_format = 6;
+/// Before the record itself, which begins with its member.
+constexpr std::size_t k_start_bytes = k_magic.size() + sizeof k_format + sizeof(std::uint64_t),
+                      k_head_bytes = k_start_bytes + sizeof MemberRecord::member, k_crc_bytes = sizeof(std::uint32_t);
+
+/// What the first bytes of a record tell.
+struct RecordHead {
+    std::uint64_t member = 0, bytes = 0;  ///< bytes: of the whole record
+};
+/// Returns none if these are no such bytes, or have another format.
+std::optional<RecordHead> record_head(const std::string& bytes) {
+    if (bytes.size() < k_head_bytes || !bytes.starts_with(k_magic)) return std::nullopt;
+    StateReader reader(std::string_view(bytes).substr(k_magic.size()));
+    std::uint32_t format = 0;
+    RecordHead head;
+    reader(format, head.bytes, head.member);
+    if (format != k_format || head.bytes > std::numeric_limits<std::uint64_t>::max() / 2) return std::nullopt;
+    head.bytes += k_start_bytes + k_crc_bytes;
+    return head;
+}
+
+/// The sum at the end of a record, of all before.
+std::uint32_t crc_of(const std::string& bytes, std::size_t count) {
+    return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), count));
+}
 
 constexpr std::uint64_t k_most_bytes = 256'000'000;  // of a file that still gets another record
 // Synced together they cost little more than one. What a power failure damages is seen by its CRC, and computed again.
@@ -40,12 +73,11 @@ std::ifstream opened(const std::string& path) {
 /// The next place from `at` on where a record may begin; `size` if there is none.
 std::uint64_t next_beginning(std::ifstream& file, std::uint64_t at, std::uint64_t size) {
     std::string block(1 << 20, '\0');
-    const std::string magic(RecordHead::k_magic, sizeof RecordHead::k_magic);
-    for (; at < size; at += block.size() - magic.size()) {
+    for (; at < size; at += block.size() - k_magic.size()) {
         file.clear();
         file.seekg(static_cast<std::streamoff>(at));
         file.read(block.data(), static_cast<std::streamsize>(block.size()));
-        const std::size_t found = block.substr(0, static_cast<std::size_t>(file.gcount())).find(magic);
+        const std::size_t found = block.substr(0, static_cast<std::size_t>(file.gcount())).find(k_magic);
         if (found != std::string::npos) return at + found;
     }
     return size;
@@ -60,6 +92,44 @@ std::string bytes_at(const RecordPlace& place) {
 }
 
 }  // namespace
+
+std::string bytes_of(MemberRecord record) {
+    std::string content, bytes(k_magic);
+    StateWriter of_content(content);
+    of_content(record);
+    std::uint32_t format = k_format;
+    std::uint64_t size = content.size();
+    StateWriter writer(bytes);
+    writer(format, size);
+    bytes += content;
+    std::uint32_t crc = crc_of(bytes, bytes.size());
+    writer(crc);
+    return bytes;
+}
+
+std::optional<MemberRecord> record_from(const std::string& bytes) {
+    const auto head = record_head(bytes);
+    if (!head || head->bytes != bytes.size()) return std::nullopt;
+    const std::size_t end = bytes.size() - k_crc_bytes;
+    StateReader reader(std::string_view(bytes).substr(k_start_bytes, end - k_start_bytes));
+    MemberRecord record;
+    try {
+        std::uint32_t crc = 0;
+        StateReader sum(std::string_view(bytes).substr(end));
+        sum(crc);
+        StateReader::require(crc == crc_of(bytes, end));
+        reader(record);
+        StateReader::require(reader.left() == 0);
+        std::uint64_t cells = 0;
+        for (const CellRun& run : record.runs) cells += run.count;
+        for (std::size_t q = 0; q < k_quantities; ++q)
+            StateReader::require(cells == record.values[q].size() ||
+                                 (q >= k_least_quantities && record.values[q].empty()));
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+    return record;
+}
 
 std::optional<MemberRecord> read_record(const RecordPlace& place) {
     return record_from(bytes_at(place));
@@ -80,7 +150,7 @@ void for_each_record(const std::string& path,
     const std::uint64_t size = fs::file_size(path, error);
     if (!file || error) return;
     for (std::uint64_t at = 0; at < size;) {
-        std::string head(RecordHead::k_bytes, '\0');
+        std::string head(k_head_bytes, '\0');
         file.clear();
         file.seekg(static_cast<std::streamoff>(at));
         file.read(head.data(), static_cast<std::streamsize>(head.size()));

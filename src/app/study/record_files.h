@@ -19,6 +19,13 @@ struct RecordPlace {
     std::uint64_t at = 0, bytes = 0;
 };
 
+/// Returns a record as it is in its file:
+///
+///     8 bytes "frana mb", format, bytes of the rest, member | rest of the record | CRC-32 of all before
+std::string bytes_of(MemberRecord record);
+/// Returns a record whose every byte has been checked; none if they are damaged or have another format.
+std::optional<MemberRecord> record_from(const std::string& bytes);
+
 /// Returns record_from() a place; none if it cannot be read or is damaged.
 std::optional<MemberRecord> read_record(const RecordPlace& place);
 /// The same of a place where it must be. Throws Error(environment).

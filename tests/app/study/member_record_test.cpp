@@ -23,7 +23,7 @@ class Record : public Records {
         return (folder_ / ("records/records_0000" + std::to_string(number) + ".frana")).string();
     }
     [[nodiscard]] float depth_of(std::uint64_t member) const {
-        return require_record(RecordFiles(folder_.string()).place(member)).depth.front();
+        return require_record(RecordFiles(folder_.string()).place(member)).of(Quantity::depth).front();
     }
 };
 
@@ -38,9 +38,7 @@ TEST_F(Record, IsReadAsItWasWritten) {
     EXPECT_TRUE(read->finished());
     ASSERT_EQ(read->figures.size(), 1U);
     EXPECT_EQ(read->figures[0].value, 1.0 / 3);
-    EXPECT_EQ(read->depth, written.depth);
-    EXPECT_EQ(read->velocity, written.velocity);
-    EXPECT_EQ(read->arrival, written.arrival);
+    EXPECT_EQ(read->values, written.values);
     const Raster depth = read->raster(Quantity::depth, grid_);
     EXPECT_EQ(depth.at(0, 3), 0.5);
     EXPECT_EQ(depth.at(1, 0), 2.0);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/study/member_record.h"
+#include "app/study/record_files.h"
 #include "app/study/statistics/cell_statistics.h"
 
 namespace frana::app::study::test {
@@ -39,10 +40,10 @@ class Records : public ::testing::Test {
         one.columns = 4;
         one.rows = 3;
         if (!depth.empty()) one.runs.push_back({first, depth.size()});
-        one.depth = depth;
+        one.of(Quantity::depth) = depth;
         for (const float d : depth) {
-            one.velocity.push_back(10 * d);
-            one.arrival.push_back(1 + d);
+            one.of(Quantity::velocity).push_back(10 * d);
+            one.of(Quantity::arrival).push_back(1 + d);
         }
         return one;
     }

@@ -18,8 +18,8 @@ namespace {
 
 constexpr Quantity k_stored[] = {Quantity::depth,    Quantity::velocity,  Quantity::arrival,
                                  Quantity::pressure, Quantity::intensity, Quantity::momentum};
-constexpr std::size_t k_quantities = std::size(k_stored),
-                      k_bytes = 2 * sizeof(std::uint32_t) + k_quantities * sizeof(float);  // of a cell of a record
+constexpr std::size_t k_parts = std::size(k_stored),
+                      k_bytes = 2 * sizeof(std::uint32_t) + k_parts * sizeof(float);  // of a cell of a record
 
 [[noreturn]] void fail(const std::string& what, const std::string& folder) {
     throw Error(ErrorKind::environment,
@@ -45,7 +45,7 @@ void CellStore::load(const GridSpec& grid) {
         {1, k_budget_bytes / 4 / k_bytes / std::max<std::size_t>(1, records_.size()), cells_of_grid / k_most_tiles});
     std::vector<std::uint64_t> cells;
     std::vector<std::uint32_t> numbers;
-    std::vector<std::vector<float>> values(k_quantities);
+    std::vector<std::vector<float>> values(k_parts);
     const auto store = [&] {
         add(cells, numbers, values);
         cells.clear();
@@ -58,7 +58,7 @@ void CellStore::load(const GridSpec& grid) {
             if (row < 0 || column < 0 || row >= grid.rows || column >= grid.columns) return;
             cells.push_back(static_cast<std::uint64_t>(row * grid.columns + column));
             numbers.push_back(static_cast<std::uint32_t>(r));
-            for (std::size_t q = 0; q < k_quantities; ++q) {
+            for (std::size_t q = 0; q < k_parts; ++q) {
                 const std::vector<float>& of = record.of(k_stored[q]);
                 values[q].push_back(of.empty() ? 0.0F : of[index]);
             }
@@ -89,7 +89,7 @@ void CellStore::add(const std::vector<std::uint64_t>& cells, const std::vector<s
         };
         put(0, static_cast<std::uint32_t>(cells[i] % tile_cells_));
         put(1, records[i]);
-        for (std::size_t q = 0; q < k_quantities; ++q) put(2 + q, values[q][i]);
+        for (std::size_t q = 0; q < k_parts; ++q) put(2 + q, values[q][i]);
     }
     batches_.push_back(std::move(batch));
 }
