@@ -196,32 +196,39 @@ struct Weight {
     double weight = 0;  ///< greater than 0
 };
 
-/// An observed value, at a gauge of the event's scene or the run-out.
-struct GaugeValue {
-    std::string gauge;
+/// An observed value: the run-out, or one at a gauge of the event's scene.
+struct Observation {
+    Evidence evidence = Evidence::runout;
+    std::string gauge;            ///< empty: of the run-out
     double value = 0, error = 0;  ///< error: standard deviation; 0: not stated
 };
 
 /// An event that was surveyed.
 struct EventSpec {
-    std::string name;                               ///< letters, digits, '-' and '_': part of names of files
-    std::string scene;                              ///< absolute
-    std::optional<GaugeValue> runout;               ///< observed [m]; none: that of the surveyed outline
-    std::vector<GaugeValue> arrival, speed, depth;  ///< [s], [m/s], [m]
-    std::vector<std::string> set;                   ///< keys of this event alone
-    std::vector<Variation> vary;                    ///< likewise
+    std::string name;                   ///< letters, digits, '-' and '_': part of names of files
+    std::string scene;                  ///< absolute
+    std::vector<Observation> observed;  ///< without a run-out that of the surveyed outline counts
+    std::vector<std::string> set;       ///< keys of this event alone
+    std::vector<Variation> vary;        ///< likewise
+
+    [[nodiscard]] std::vector<Observation> observed_by(Evidence evidence) const {
+        std::vector<Observation> some;
+        for (const Observation& one : observed)
+            if (one.evidence == evidence) some.push_back(one);
+        return some;
+    }
 };
 
-/// Values observed at gauges: "arrival bridge = 35".
-struct GaugeKind {
+/// Single observed values: "runout = 420", and at gauges "arrival bridge = 35".
+struct ObservedKind {
     Evidence evidence;
     const char *word, *unit;
-    std::vector<GaugeValue> EventSpec::*values;
     const char* figure;  ///< of a gauge; null: from the record's map
 };
-inline constexpr GaugeKind k_gauge_kinds[] = {{Evidence::arrival, "arrival", "s", &EventSpec::arrival, nullptr},
-                                              {Evidence::speed, "speed", "m/s", &EventSpec::speed, "max_speed_ms"},
-                                              {Evidence::depth, "depth", "m", &EventSpec::depth, "max_depth_m"}};
+inline constexpr ObservedKind k_observed_kinds[] = {{Evidence::runout, "runout", "m", nullptr},
+                                                    {Evidence::arrival, "arrival", "s", nullptr},
+                                                    {Evidence::speed, "speed", "m/s", "max_speed_ms"},
+                                                    {Evidence::depth, "depth", "m", "max_depth_m"}};
 
 inline constexpr std::int64_t k_most_samples = 1'000'000;
 /// Importance sampling: the part of all members below which each round ends. The first round is drawn as by `sobol`.

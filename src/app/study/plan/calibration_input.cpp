@@ -32,19 +32,6 @@ constexpr const char* k_sources[] = {
     "arrival GAUGE in [event NAME]",   "speed GAUGE in [event NAME]",
     "depth GAUGE in [event NAME]"};
 
-constexpr Evidence k_single_values[] = {Evidence::runout, Evidence::arrival, Evidence::speed, Evidence::depth};
-
-const GaugeKind& kind_of(Evidence evidence) {
-    return *std::find_if(std::begin(k_gauge_kinds), std::end(k_gauge_kinds),
-                         [&](const GaugeKind& one) { return one.evidence == evidence; });
-}
-
-/// The single values that were observed; of the run-out only one that the study gives.
-std::vector<GaugeValue> observed_at(const EventSpec& event, Evidence evidence) {
-    if (evidence == Evidence::runout) return event.runout ? std::vector{*event.runout} : std::vector<GaugeValue>{};
-    return event.*(kind_of(evidence).values);
-}
-
 /// The cells of a grid that contain a window and a box.
 GridSpec grid_round(const GridSpec& grid, const CellWindow& window, const std::optional<Bounds>& box) {
     if (!box) return part_of(grid, window);
@@ -107,7 +94,7 @@ bool has_evidence(const Prepared& base, const EventSpec& event, Evidence evidenc
         case Evidence::scar:
             return has_scar;
         case Evidence::runout:
-            return has_scar || event.runout.has_value();
+            return has_scar || !event.observed_by(evidence).empty();
         case Evidence::deposit:
             return !survey.deposit.empty() || survey.elevation_change.has_value();
         case Evidence::elevation_change:
@@ -117,12 +104,12 @@ bool has_evidence(const Prepared& base, const EventSpec& event, Evidence evidenc
         case Evidence::depth:
             break;
     }
-    return !observed_at(event, evidence).empty();
+    return !event.observed_by(evidence).empty();
 }
 
 bool has_stated_error(const EventSpec& event, Evidence evidence) {
-    const std::vector<GaugeValue> observed = observed_at(event, evidence);
-    return std::any_of(observed.begin(), observed.end(), [](const GaugeValue& one) { return one.error > 0; });
+    return std::any_of(event.observed.begin(), event.observed.end(),
+                       [&](const Observation& one) { return one.evidence == evidence && one.error > 0; });
 }
 
 EventSurvey::EventSurvey(const Prepared& base, const EventSpec& event, const std::vector<Weight>& objective,
@@ -144,7 +131,7 @@ EventSurvey::EventSurvey(const Prepared& base, const EventSpec& event, const std
         scar_area_ = masked_area(scar_);
         runout_ = runout_of(survey.scar, base.scene);
     }
-    if (event.runout) runout_ = event.runout->value;
+    for (const Observation& one : event.observed_by(Evidence::runout)) runout_ = one.value;
     if (survey.elevation_change) {
         elevation_change_ = moved_to(grid_, *survey.elevation_change);
         deposit_ = trace_mask(elevation_change_, threshold_);
@@ -204,8 +191,10 @@ std::vector<double> EventSurvey::values_of(Evidence evidence, const MemberRecord
     std::vector<double> values;
     const Raster arrival =
         evidence == Evidence::arrival ? record.raster(Quantity::arrival, grid_) : Raster(GridSpec{}, k_no_data);
-    for (const GaugeValue& one : observed_at(event_, evidence)) {
-        if (const char* const of_gauge = kind_of(evidence).figure) {
+    const auto kind = std::find_if(std::begin(k_observed_kinds), std::end(k_observed_kinds),
+                                   [&](const ObservedKind& one) { return one.evidence == evidence; });
+    for (const Observation& one : event_.observed_by(evidence)) {
+        if (const char* const of_gauge = kind->figure) {
             values.push_back(value_of(record.figures, "gauge " + one.gauge + ": " + of_gauge));
             continue;
         }
@@ -247,10 +236,10 @@ void EventSurvey::add_chi_square(const MemberRecord& record, MemberAgreement& to
     double sum = 0;
     if (deposit_pieces_ > 0)
         sum += deposit_pieces_ * deposit_mean_square(record.raster(Quantity::deposit, grid_)) / deposit_variance_;
-    for (const Evidence evidence : k_single_values) {
-        if (!measures_by(evidence)) continue;
-        const std::vector<double> values = values_of(evidence, record);
-        const std::vector<GaugeValue> observed = observed_at(event_, evidence);
+    for (const ObservedKind& kind : k_observed_kinds) {
+        if (!measures_by(kind.evidence)) continue;
+        const std::vector<double> values = values_of(kind.evidence, record);
+        const std::vector<Observation> observed = event_.observed_by(kind.evidence);
         for (std::size_t i = 0; i < observed.size(); ++i)
             if (observed[i].error > 0)  // what the flow did not reach is as far off as all of it
                 sum += std::pow(
@@ -268,9 +257,7 @@ bool EventSurvey::measures_by(Evidence evidence) const {
 
 double EventSurvey::single_values() const {
     double sum = 0;
-    for (const Evidence evidence : k_single_values)
-        for (const GaugeValue& one : observed_at(event_, evidence))
-            sum += measures_by(evidence) && one.error > 0 ? 1 : 0;
+    for (const Observation& one : event_.observed) sum += measures_by(one.evidence) && one.error > 0 ? 1 : 0;
     return sum;
 }
 
@@ -304,7 +291,7 @@ double EventSurvey::misfit(Measure measure, const MemberRecord& record) const {
     }
     const Evidence evidence = row_of(measure).needs;
     const std::vector<double> values = values_of(evidence, record);
-    const std::vector<GaugeValue> observed = observed_at(event_, evidence);
+    const std::vector<Observation> observed = event_.observed_by(evidence);
     double sum = 0;
     for (std::size_t i = 0; i < values.size(); ++i)
         sum += std::isfinite(values[i]) ? relative_difference(values[i], observed[i].value) : 1;
@@ -335,9 +322,10 @@ bool weighs(const StudySpec& calibration, Evidence evidence) {
 /// Adds a problem for each gauge with an observed value that the scene does not have.
 void check_gauges(const Prepared& base, const EventSpec& event, const Place& where, Problems& problems) {
     const std::vector<Gauge>& gauges = base.scene.recording.gauges;
-    for (const GaugeKind& kind : k_gauge_kinds)
-        for (const GaugeValue& one : event.*(kind.values))
-            if (std::none_of(gauges.begin(), gauges.end(), [&](const Gauge& gauge) { return gauge.name == one.gauge; }))
+    for (const ObservedKind& kind : k_observed_kinds)
+        for (const Observation& one : event.observed_by(kind.evidence))
+            if (!one.gauge.empty() &&
+                std::none_of(gauges.begin(), gauges.end(), [&](const Gauge& gauge) { return gauge.name == one.gauge; }))
                 problems.add({"the scene has no gauge of this name", where, one.gauge, "",
                               "Name a point of the scene's output.gauges"});
 }

@@ -348,7 +348,7 @@ void StudyReader::add_event(const std::string& name, const std::string& scene, c
         refuse("there are two events with the name " + name, entry, "",
                "Give each a section [event NAME] with its scene");
     } else {
-        study_.events.push_back({name, absolute_path(scene, folder_), {}, {}, {}, {}, {}, {}});
+        study_.events.push_back({name, absolute_path(scene, folder_), {}, {}, {}});
     }
 }
 
@@ -370,21 +370,18 @@ void StudyReader::add_observation(EventSpec& event, const std::string& key, cons
     const auto [value, error] = number_and_deviation(entry.value);
     const std::size_t space = key.find(' ');
     const std::string word = key.substr(0, space), gauge = space == std::string::npos ? "" : trimmed(key.substr(space));
-    const auto kind = std::find_if(std::begin(k_gauge_kinds), std::end(k_gauge_kinds),
-                                   [&](const GaugeKind& one) { return one.word == word; });
-    const bool at_gauge = kind != std::end(k_gauge_kinds) && !gauge.empty();
-    if (key != "runout" && !at_gauge)
+    const auto kind = std::find_if(std::begin(k_observed_kinds), std::end(k_observed_kinds),
+                                   [&](const ObservedKind& one) { return one.word == word; });
+    if (kind == std::end(k_observed_kinds) || gauge.empty() != (kind->evidence == Evidence::runout))
         refuse("unknown key", entry, "",
                "An event has scene, runout, and at gauges of its scene arrival GAUGE, speed GAUGE, depth GAUGE");
     else if (!(value > 0 && value < 1e9))
-        refuse("is not a number greater than 0", entry, at_gauge ? std::string("in ") + kind->unit : "in m",
+        refuse("is not a number greater than 0", entry, std::string("in ") + kind->unit,
                "Write for example 35, or 35 +- 5 with its standard deviation");
     else if (!(error < 1e9))
         refuse("has an error that is not a number greater than 0", entry, "", "Write for example 35 +- 5");
-    else if (at_gauge)
-        (event.*(kind->values)).push_back({gauge, value, error});
     else
-        event.runout = GaugeValue{"", value, error};
+        event.observed.push_back({kind->evidence, gauge, value, error});
 }
 
 void StudyReader::check_scheme(const std::string& event) {

@@ -432,11 +432,10 @@ std::string values_text(const std::string& of, const std::vector<std::string>& s
 
 std::string event_text(const EventSpec& event) {
     std::string text = "\n[event " + event.name + "]\nscene = " + event.scene + "\n";
-    const auto value = [](const GaugeValue& one) { return text_with_deviation(one.value, one.error) + "\n"; };
-    if (event.runout) text += "runout = " + value(*event.runout);
-    for (const GaugeKind& kind : k_gauge_kinds)
-        for (const GaugeValue& one : event.*(kind.values))
-            text += std::string(kind.word) + " " + one.gauge + " = " + value(one);
+    for (const ObservedKind& kind : k_observed_kinds)
+        for (const Observation& one : event.observed_by(kind.evidence))
+            text += kind.word + (one.gauge.empty() ? "" : " " + one.gauge) + " = " +
+                    text_with_deviation(one.value, one.error) + "\n";
     return text + values_text(" " + event.name, event.set, event.vary);
 }
 

@@ -72,16 +72,18 @@ void expect_two_events(const StudySpec& spec) {
     const EventSpec& south = spec.events[0];
     const StudySpec of_south = spec.of_event(0), of_north = spec.of_event(1);
     EXPECT_EQ(south.name, "south");
-    ASSERT_TRUE(south.runout);
-    EXPECT_EQ(south.runout->value, 786);
-    EXPECT_EQ(south.runout->error, 20);
-    ASSERT_EQ(south.arrival.size(), 1U);
-    EXPECT_EQ(south.arrival[0].gauge, "bridge");
-    EXPECT_EQ(south.arrival[0].value, 35);
-    EXPECT_EQ(south.arrival[0].error, 2.5);
-    EXPECT_EQ(south.speed[0].error, 0);
-    EXPECT_EQ(south.speed[0].value, 12);
-    EXPECT_EQ(south.depth[0].gauge, "church");
+    const auto runout = south.observed_by(Evidence::runout), arrival = south.observed_by(Evidence::arrival),
+               speed = south.observed_by(Evidence::speed), depth = south.observed_by(Evidence::depth);
+    ASSERT_EQ(runout.size(), 1U);
+    EXPECT_EQ(runout[0].value, 786);
+    EXPECT_EQ(runout[0].error, 20);
+    ASSERT_EQ(arrival.size(), 1U);
+    EXPECT_EQ(arrival[0].gauge, "bridge");
+    EXPECT_EQ(arrival[0].value, 35);
+    EXPECT_EQ(arrival[0].error, 2.5);
+    EXPECT_EQ(speed.at(0).error, 0);
+    EXPECT_EQ(speed.at(0).value, 12);
+    EXPECT_EQ(depth.at(0).gauge, "church");
     ASSERT_EQ(south.vary.size(), 1U);
     EXPECT_EQ(of_south.vary.size(), 3U);
     EXPECT_EQ(of_south.vary[2].key, "release.volume");
