@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/study/plan/region_input.h"
+#include "app/study/plan/study_input.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -17,7 +17,6 @@
 #include "app/store/scene_identity.h"
 #include "app/study/plan/calibration_input.h"
 #include "app/study/plan/read_study.h"
-#include "app/study/plan/region_input.h"
 #include "app/text/number_text.h"
 #include "core/text.h"
 #include "gis/access/table_in.h"
@@ -313,11 +312,6 @@ std::vector<MappedEvents> mapped_events(const SceneSpec& scene) {
         all.push_back(std::move(events));
     }
     return all;
-}
-
-RecordExtras record_extras(const SceneSpec& scene) {
-    return {!scene.output.pressure_thresholds.empty(), hazard_scheme_of(scene), Deposit::none,
-            !scene.output.momentum_flux_thresholds.empty()};
 }
 
 }  // namespace frana::app::study

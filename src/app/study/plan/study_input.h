@@ -77,6 +77,20 @@ StudyInput read_study_scenes(StudyReading reading, SampleTable table);
 /// of the result's place as prepare().
 StudyInput prepare_study(StudyInput input, const std::optional<Problem>& place, RunLog& log);
 
+// Of a region, in region_input.cpp.
+
+/// Adds the slopes of a region with their members: one each, or with a frequency study.samples draws. Adds a problem if
+/// the scene names no polygons, or they cannot be read, or no polygon has a column that the region names, or one
+/// scenario has several return periods; what is wrong with a single slope is only kept with it.
+void add_slopes(StudyInput& region);
+
+/// Returns the slopes against which nothing is known, the largest first; if there are none, all.
+std::vector<std::size_t> by_size(const std::vector<Slope>& slopes);
+
+/// Prepares the slope that stands for all of a region (its material, its time, its output), the largest that can be
+/// prepared, and the outlines of all. Throws Error(input) if none can be.
+void prepare_region(StudyInput& input, const std::optional<Problem>& place, RunLog& log);
+
 /// Events "a quantity exceeds a threshold" whose probability a study maps.
 struct MappedEvents {
     Quantity quantity = Quantity::depth;
@@ -96,8 +110,5 @@ struct RareEvent {
 };
 /// Of a study by importance sampling.
 RareEvent rare_event(const StudyInput& input);
-
-/// Returns what a member's record must contain for them.
-RecordExtras record_extras(const SceneSpec& scene);
 
 }  // namespace frana::app::study

@@ -11,7 +11,7 @@
 
 #include "app/input/check_inputs.h"
 #include "app/process/terminal.h"
-#include "app/study/plan/region_input.h"
+#include "app/publish/publish_hazard.h"
 #include "app/study/plan/study_input.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
@@ -115,12 +115,13 @@ std::optional<MemberRecord> run_member(const StudyInput& input, const MemberTask
             result = run(scene, options);
         }
         if (result.stop_reason == StopReason::requested) return std::nullopt;
-        RecordExtras extras = record_extras(input.base.spec);
-        extras.pressure = extras.pressure || input.reading.study.region || input.base.extra.exposure;
+        const OutputSpec& output = input.base.spec.output;
         const auto& fragility = input.base.extra.fragility;
-        extras.momentum = extras.momentum || (fragility && fragility->uses(HazardQuantity::momentum));
-        extras.deposit = input.kept_deposit;
-        MemberRecord record = record_of(task.member, result, scene, input.base.spec.output.trace_threshold, extras);
+        const RecordExtras extras{
+            !output.pressure_thresholds.empty() || input.reading.study.region || input.base.extra.exposure,
+            hazard_scheme_of(input.base.spec), input.kept_deposit,
+            !output.momentum_flux_thresholds.empty() || (fragility && fragility->uses(HazardQuantity::momentum))};
+        MemberRecord record = record_of(task.member, result, scene, output.trace_threshold, extras);
         record.end.warnings = result.warnings;
         record.key_values = values_text(task.overrides);
         return record;

@@ -14,7 +14,6 @@
 #include "app/study/plan/study_input.h"
 #include "app/study/statistics/annual_rates.h"
 #include "app/study/statistics/cell_statistics.h"
-#include "app/study/statistics/outline_maps.h"
 #include "app/study/statistics/sensitivity.h"
 #include "app/study/statistics/study_maps.h"
 

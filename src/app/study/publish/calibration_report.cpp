@@ -14,7 +14,6 @@
 #include "app/publish/report_tables.h"
 #include "app/store/result_files.h"
 #include "app/study/publish/map_writer.h"
-#include "app/study/publish/study_files.h"
 #include "app/study/statistics/study_maps.h"
 #include "app/text/number_text.h"
 #include "app/text/version.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/study/publish/study_exposure.h"
+#include "app/study/publish/publish_study.h"
 
 #include <algorithm>
 #include <map>

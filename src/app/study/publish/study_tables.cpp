@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/study/publish/study_tables.h"
+#include "app/study/publish/publish_study.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,6 @@
 #include "app/publish/summary.h"
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
-#include "app/study/publish/study_files.h"
 #include "app/text/number_text.h"
 #include "app/text/text_table.h"
 #include "app/text/version.h"
