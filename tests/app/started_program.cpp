@@ -46,7 +46,7 @@ bool StartedProgram::ended(bool block) {
 
 bool StartedProgram::wait_until(const std::function<bool()>& happens) {
     while (!happens()) {
-        if (ended(false)) return false;
+        if (ended(false)) return happens();  // between the two looks, before its end
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     return true;

@@ -21,7 +21,7 @@ class StartedProgram {
     StartedProgram& operator=(const StartedProgram&) = delete;
 
     void send(int signal_number) const;
-    /// Polls every few milliseconds; returns false if the program ended first.
+    /// Polls every few milliseconds; returns false if the program ended without it.
     bool wait_until(const std::function<bool()>& happens);
     /// Waits for its end; the exit code is minus the signal's number if one killed it.
     Outcome wait();
