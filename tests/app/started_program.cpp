@@ -54,7 +54,7 @@ bool StartedProgram::wait_until(const std::function<bool()>& happens) {
 
 Outcome StartedProgram::wait() {
     ended(true);
-    return {WIFEXITED(status_) ? WEXITSTATUS(status_) : -WTERMSIG(status_), read_text(out_), read_text(err_), 0};
+    return {WIFEXITED(status_) ? WEXITSTATUS(status_) : -WTERMSIG(status_), read_text(out_), read_text(err_), 0, 0};
 }
 
 }  // namespace frana::test

@@ -39,8 +39,11 @@ Outcome run_program(const std::string& folder, const std::vector<std::string>& a
     int status = 0;
     rusage used{};
     ::wait4(child, &status, 0, &used);
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
     Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), read_text(out), read_text(err),
-                    1024.0 * static_cast<double>(used.ru_maxrss)};
+                    1024.0 * static_cast<double>(used.ru_maxrss), seconds(used.ru_utime) + seconds(used.ru_stime)};
     ::unlink(out.c_str());
     ::unlink(err.c_str());
     return outcome;

@@ -21,6 +21,7 @@ struct Outcome {
     std::string out;
     std::string err;
     double peak_memory_bytes = 0;  ///< largest resident set
+    double cpu_seconds = 0;        ///< processor time of all its threads
 };
 
 /// Runs frana with these arguments in a folder and waits for it. With `signal_after_ms`, sends SIGINT then.
