@@ -202,13 +202,16 @@ TEST_F(Region, SameBitsForAnyNumberOfThreadsAndAfterAKill) {
     ASSERT_EQ(batch({"--threads", "1"}, "one").exit_code, 0);
     ASSERT_EQ(batch({"--threads", "3"}, "three").exit_code, 0);
     expect_same("one", "three");
-    {
+    // On a busy machine the kill may come when all is computed: then again.
+    std::size_t kept = 0;
+    for (int tries = 0; tries < 20 && (kept == 0 || kept == 6); ++tries) {
+        for (const char* folder : {"killed", "killed.partial"}) fs::remove_all(path(folder));
         StartedProgram program(folder_.string(), {"batch", "region.ini", "--out", "killed", "--threads", "1"});
-        EXPECT_TRUE(program.wait_until([&] { return !records().empty(); }));
+        program.wait_until([&] { return !records().empty(); });
         program.send(SIGKILL);
         (void)program.wait();
+        kept = records().size();
     }
-    const std::size_t kept = records().size();
     EXPECT_GT(kept, 0U);
     EXPECT_LT(kept, 6U);
     const Outcome resumed = batch({"--resume"}, "killed");
