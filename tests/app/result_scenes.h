@@ -37,8 +37,8 @@ class ResultScenes : public TinyScene {
     void run(const std::string& text, const std::string& result, const std::vector<std::string>& more = {}) const {
         write("scene.ini",
               "[terrain]\ndtm = dtm.asc\ncell-size = 10\n[release]\nperimeter = perimeter.geojson\n"
-              "thickness = 2\n[time]\nend = 2\nframe-interval = 0.5\nstop-when-still = off\n" +
-                  text);
+              "thickness = 2\n[time]\nend = 2\nframe-interval = 0.5\nstop-when-still = off\n[output]\n" +
+                  k_one_day + text);
         std::vector<std::string> arguments{"run", "scene.ini", "--out", result, "--quiet"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         const Outcome outcome = frana(arguments);

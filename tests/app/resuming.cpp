@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 Resuming::Resuming() {
     write_scene(
         "stop-when-still = off\nstop-change = 0\nframe-interval = 0.5\n[numerics]\nparticles-per-cell = 16\n[output]\n"
-        "maps = off\nanimation = off\n[terrain]\ncell-size = 1\n");
+        "maps = off\nanimation = off\n" +
+        k_one_day + "[terrain]\ncell-size = 1\n");
 }
 
 std::vector<std::string> Resuming::run(const std::string& result, const std::vector<std::string>& more) const {

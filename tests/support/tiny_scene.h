@@ -14,6 +14,9 @@ namespace frana::test {
 
 /// No pictures and no frames: a run of a tenth of a second.
 inline const std::string k_numbers_only = "[output]\nmaps = off\nanimation = off\nframes = off\n";
+// In [output]: pictures and the QGIS project show the day of the run, and two runs whose files are compared may have
+// midnight between them.
+inline const std::string k_one_day = "map-date = 2026-11-24\n";
 
 /// A separate folder for every test, with a slope small enough to run in a second: 60 x 30 cells of 5 m in EPSG:32632,
 /// 27 degrees falling east to a flat, a release of 50 m x 40 m near the top.

@@ -15,8 +15,8 @@ class Late : public Resuming {
   protected:
     void SetUp() override {
         write_scene(
-            "frame-interval = 0.2\n[output]\nmap-size = 640x480\nmaps = max_depth, max_velocity, final_depth\n"
-            "animation = on\nreport = on\n[terrain]\ncell-size = 4\n");
+            "frame-interval = 0.2\n[output]\nmap-size = 640x480\nmaps = max_depth, max_velocity, final_depth\n" +
+            k_one_day + "animation = on\nreport = on\n[terrain]\ncell-size = 4\n");
     }
     [[nodiscard]] static std::vector<std::string> command(const std::string& result,
                                                           const std::vector<std::string>& more = {}) {

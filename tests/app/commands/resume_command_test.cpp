@@ -22,7 +22,8 @@ const std::string k_breaking =
     "model = structured\n[structured]\nphases = solids-and-fluid\ncohesion = 2e3\ninternal-friction-angle = "
     "28\n"
     "bed-friction-angle = 12\nyoung-modulus = 1e6\nbulk-modulus = 1e6\n[numerics]\nparticles-per-cell = 9\n"
-    "[time]\nend = 2\nframe-interval = 0.5\n[output]\nmaps = off\nanimation = off\n";
+    "[time]\nend = 2\nframe-interval = 0.5\n[output]\nmaps = off\nanimation = off\n" +
+    k_one_day;
 
 std::vector<std::string> with(std::vector<std::string> first, const std::vector<std::string>& more) {
     first.insert(first.end(), more.begin(), more.end());

@@ -151,7 +151,7 @@ TEST_F(RunCommand, TheResolvedSceneReproducesTheRunWhateverTheThreads) {
 
 // Bytes of every file, pictures and animation too; except those that contain the time of day or a duration.
 TEST_F(RunCommand, EveryOutputIsTheSameForAnyNumberOfThreadsAndASecondTime) {
-    write_scene("frame-interval = 1\n[output]\nmap-size = 640x480\n");
+    write_scene("frame-interval = 1\n[output]\nmap-size = 640x480\n" + k_one_day);
     const std::vector<std::string> runs{"1", "2", "3", "7", "1"};
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const std::string result = "result" + std::to_string(i);
