@@ -23,7 +23,7 @@ class Resuming : public TinyScene {
     [[nodiscard]] bool has_checkpoints(const std::string& result, std::size_t count = 1) const {
         return checkpoints(result).size() >= count;
     }
-    /// Starts a run and kills it after its second checkpoint.
+    /// Starts a run and kills it when it has two checkpoints.
     void interrupt(const std::string& result, const std::vector<std::string>& more = {}) const;
     /// Expects the same files with the same bytes, except those that contain the time of day or a duration; the summary
     /// has the same values except these.

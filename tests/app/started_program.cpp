@@ -39,6 +39,13 @@ void StartedProgram::send(int signal_number) const {
     if (!ended_) ::kill(child_, signal_number);
 }
 
+void StartedProgram::pause() const {
+    if (ended_) return;
+    ::kill(child_, SIGSTOP);
+    siginfo_t stopped{};
+    ::waitid(P_PID, static_cast<id_t>(child_), &stopped, WSTOPPED | WEXITED | WNOWAIT);
+}
+
 bool StartedProgram::ended(bool block) {
     if (!ended_) ended_ = ::waitpid(child_, &status_, block ? 0 : WNOHANG) == child_;
     return ended_;

@@ -21,6 +21,8 @@ class StartedProgram {
     StartedProgram& operator=(const StartedProgram&) = delete;
 
     void send(int signal_number) const;
+    /// Stops it and returns when nothing of it runs any more; SIGCONT lets it go on.
+    void pause() const;
     /// Polls every few milliseconds; returns false if the program ended without it.
     bool wait_until(const std::function<bool()>& happens);
     /// Waits for its end; the exit code is minus the signal's number if one killed it.
