@@ -36,6 +36,12 @@ struct SoilZone {
     Raster raster;
 };
 
+/// Rain by place from one time to another [s]: intensity [m/s]; NaN: none.
+struct RainMap {
+    double from = 0, until = 0;
+    Raster intensity;
+};
+
 /// Composition of a structured flow: blocks of solids with the fluid they confine, or fluid alone.
 struct StructuredMaterial : StructuredValues, SolidValues {
     bool solids = false;       ///< false: the release is fluid, and no parameter of solids is read
@@ -44,7 +50,8 @@ struct StructuredMaterial : StructuredValues, SolidValues {
     std::vector<SolidZone> zones;
     std::optional<Raster> initial_fluid;  ///< depth of free fluid at the start [m]; NaN: none
     bool more_fluid = false;              ///< there is fluid besides the release: initial, inflow or rain
-    Rain rain;
+    Rain rain;                            ///< with maps it has their times and none of its own
+    std::vector<RainMap> rain_maps;
     std::optional<GreenAmpt> soil;  ///< none: tight
     std::vector<SoilZone> soil_zones;
 };

@@ -67,6 +67,7 @@ StructuredFlow::StructuredFlow(const Ground& ground, const std::optional<Raster>
       maxima_(state_.grid.bed.size()),
       pressure_(state_.grid.bed.size()) {
     lay_soil();
+    add_rain_maps();
     receive(released, true);
     receive_lying();
     structured::prepare(state_, laws_, pool_);
@@ -114,6 +115,19 @@ void StructuredFlow::receive_lying() {
     });
     for (const FluidSource& source : sources) entered_.free += source.depth * grid_.cell_area();
     take(sources);
+}
+
+// Rain by place, by cell.
+void StructuredFlow::add_rain_maps() {
+    if (!state_.fluid) return;
+    for (const RainMap& map : material_.rain_maps) {
+        ZeroArray<double> intensity(state_.grid.size());
+        for (std::int64_t row = 0; row < grid_.rows; ++row)
+            for (std::int64_t column = 0; column < grid_.columns; ++column)
+                if (const double here = map.intensity.at(row, column); here > 0)
+                    intensity[state_.grid.index(column, grid_.rows - 1 - row)] = here;
+        state_.fluid->rain_maps.push_back({map.from, map.until, std::move(intensity)});
+    }
 }
 
 // The soil under the fluid, by cell where any of its values is.
@@ -269,7 +283,7 @@ std::size_t StructuredFlow::bytes_per_node() const noexcept {
     if (state_.fluid) {
         const structured::FluidState& fluid = *state_.fluid;
         bytes += k_fluid_values * sizeof(double) + (fluid.infiltrated.size() != 0 ? sizeof(double) : 0) +
-                 (fluid.soils.size() != 0 ? sizeof(GreenAmpt) : 0) +
+                 (fluid.soils.size() != 0 ? sizeof(GreenAmpt) : 0) + fluid.rain_maps.size() * sizeof(double) +
                  (fluid.now.bed_states.size() != 0 ? sizeof(BedState) + sizeof(NodeRecord) : 0);
     }
     if (state_.solid)

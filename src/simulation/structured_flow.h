@@ -123,6 +123,7 @@ class StructuredFlow final : public Model {
     void receive(const ParticleSet& particles, bool columns);
     void receive_lying();
     void lay_soil();
+    void add_rain_maps();
     void take(const std::vector<structured::FluidSource>& sources);
     StepStatistics observe();
 

@@ -192,6 +192,38 @@ TEST_F(StructuredScene, RainFallsAndInfiltrates) {
     EXPECT_LT(summary_number("placed", "relative_error"), 1e-12);
 }
 
+// A shower of 12 s and one of 4 s on the eastern half, on flat ground out of reach of edges and of the release.
+TEST_F(StructuredScene, RainFallsWhereRastersSay) {
+    write_dtm([](int, int column) { return column < k_columns / 2 ? 0.0 : 2500.0; }, true, "east.asc");
+    write_dtm();
+    write("rain.csv", "time,raster\n0,east.asc\n12,\n16,east.asc\n20,\n");
+    write_fluid(k_numbers_only + "[structured]\nrain = table:rain.csv\n");
+    const Outcome check = frana({"check", "scene.ini"});
+    EXPECT_NE(check.out.find("by place, at most 2500 mm/h"), std::string::npos) << check.out << check.err;
+    for (const std::string threads : {"1", "3"}) {
+        const Outcome outcome = frana({"run", "scene.ini", "--out", threads, "--quiet", "--threads", threads});
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    }
+    const double depth = 2500 / 3.6e6 * 16, rain = depth * 150 * 150;
+    EXPECT_NEAR(summary_number("1", "rain_m3"), rain, 1e-12 * rain);
+    EXPECT_NEAR(summary_number("1", "final_m3") + summary_number("1", "left_domain_m3"), 4000 + rain, 1e-12 * 4000);
+    const Raster found = gis::read_result_raster(path("1/final_depth.tif"));
+    const auto at = [&](int row, int column) {
+        const double x = k_west + (column + 0.5) * k_cell, y = k_south + (k_rows - row - 0.5) * k_cell;
+        return found.grid.bounds().contains(x, y) ? found.at(static_cast<std::int64_t>((found.grid.north - y) / k_cell),
+                                                             static_cast<std::int64_t>((x - found.grid.west) / k_cell))
+                                                  : std::nan("");
+    };
+    EXPECT_NEAR(at(3, 50), depth, 1e-7);  // of Float32
+    EXPECT_TRUE(std::isnan(at(3, 20)));
+    EXPECT_EQ(read_text(path("1/final_depth.tif")), read_text(path("3/final_depth.tif")));
+    for (const std::string wrong : {"time,raster\n0,east.asc\n", "time,raster\n0,none.asc\n9,\n",
+                                    "time,raster\n5,east.asc\n5,\n", "raster\neast.asc\n"}) {
+        write("rain.csv", wrong);
+        EXPECT_EQ(frana({"check", "scene.ini"}).exit_code, 2) << wrong;
+    }
+}
+
 // A drizzle of 30 m3 does not hide that the flow ran off the map; and rain alone, which leaves everywhere, is no such
 // news.
 TEST_F(StructuredScene, RainDoesNotHideAFlowThatLeavesTheMap) {

@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "analysis/trace.h"
 #include "app/commands/accuracy_search.h"
 #include "app/commands/command_line.h"
 #include "app/commands/forecast.h"
@@ -37,6 +38,7 @@
 #include "params/keys/zone_keys.h"
 #include "simulation/release.h"
 #include "simulation/run_warnings.h"
+#include "simulation/scene_values.h"
 #include "simulation/simulation.h"
 
 namespace frana::app {
@@ -270,8 +272,14 @@ void print_run(const Prepared& prepared, const RunEstimate& expected, const std:
     if (prepared.friction) print_fact("friction", friction_text(prepared.friction->choice()).text());
     print_defaults(prepared);
     if (expected.inflow > 0) print_fact("flows in", grouped(expected.inflow) + " m3 until the end");
-    if (const auto& fluid = prepared.scene.structured; fluid && fluid->rain.falls())
-        print_fact("rain", number_text(1000 * fluid->rain.depth_by(prepared.scene.time.end), 4) + " mm until the end");
+    if (const auto& fluid = prepared.scene.structured; fluid && fluid->rain.falls()) {
+        double heaviest = 0;
+        for (const RainMap& map : fluid->rain_maps) heaviest = std::fmax(heaviest, maximum(map.intensity));
+        print_fact("rain",
+                   !fluid->rain_maps.empty()
+                       ? "by place, at most " + number_text(heaviest * k_mm_per_hour, 4) + " mm/h"
+                       : number_text(1000 * fluid->rain.depth_by(prepared.scene.time.end), 4) + " mm until the end");
+    }
     print_fact("DTM", prepared.scene.terrain_contains_release ? "contains the release: the bed lies under it"
                                                               : "is the bed: the release lies on top of it");
     if (prepared.release.ground) print_fact("release", ground_sentence(*prepared.release.ground).text());

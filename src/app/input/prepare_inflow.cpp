@@ -181,6 +181,35 @@ Hydrograph read_hydrograph(const std::string& file, const Place& where, double g
     return hydrograph;
 }
 
+std::vector<RainFile> read_rain_files(const std::string& file, const Place& where) {
+    const std::string place = where + ": " + file, folder = file.substr(0, file.find_last_of('/'));
+    const gis::Table table = gis::read_table(file, where);
+    const auto raster = std::find_if(table.columns.begin(), table.columns.end(),
+                                     [](const std::string& name) { return trimmed(name) == "raster"; });
+    if (raster == table.columns.end()) return {};
+    Problems problems;
+    const auto time = column_of(table, k_rain, "time", place, problems);
+    if (!time)
+        problems.add(
+            {"the rain has no column time", place, joined(table.columns, ", "), "", "Name the columns in line 1"});
+    problems.throw_if_any();
+    std::vector<RainFile> files;
+    for (const auto& row : table.rows) {
+        const std::string given = trimmed(row[time->index]),
+                          name = trimmed(row[static_cast<std::size_t>(raster - table.columns.begin())]);
+        const auto seconds = number_from_text(given);
+        if (!seconds || *seconds < 0 || (!files.empty() && !(time->unit * *seconds > files.back().time)))
+            problems.add(
+                {"the times do not rise", place, given, "", "Give seconds, or name the unit, and sort the rows"});
+        files.push_back({time->unit * seconds.value_or(0), name.empty() ? "" : absolute_path(name, folder)});
+    }
+    if (files.size() < 2 || !files.back().path.empty())
+        problems.add(
+            {"the last row has a raster", place, "", "", "Add a row with the time when the rain ends and none"});
+    problems.throw_if_any();
+    return files;
+}
+
 Rain read_rain(const std::string& file, const Place& where) {
     const std::string place = where + ": " + file;
     const gis::Table table = gis::read_table(file, where);

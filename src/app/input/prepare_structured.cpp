@@ -211,6 +211,29 @@ std::optional<Raster> property_raster(const SceneReading& reading, const Terrain
     return positive_values_on_demand(reading, *ground, property.key, file, within, files, log);
 }
 
+/// Rain over time from a table, the same everywhere or by place.
+void prepare_rain(const SceneReading& reading, const TerrainInput* ground, StructuredMaterial& material,
+                  std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
+    const std::string key = "structured.rain", &table = reading.scene.structured.rain->name;
+    const std::vector<RainFile> rasters = read_rain_files(table, reading.where(key));
+    if (rasters.empty()) {
+        material.rain = read_rain(table, reading.where(key));
+    } else if (ground != nullptr && ground->on_demand) {
+        problems.add({"has rasters, and the terrain is too large to be read as a whole", reading.where(key), table, "",
+                      "Cut it with terrain.bounds, or give a rain that is the same everywhere"});
+    }
+    for (std::size_t i = 0; i < rasters.size(); ++i) {
+        material.rain.points.push_back({rasters[i].time, 0});
+        if (rasters[i].path.empty() || (ground != nullptr && ground->on_demand)) continue;
+        auto raster = read_zone_raster(reading, ground, key, rasters[i].path, false, files, log, problems);
+        if (!raster) continue;
+        for (double& intensity : raster->values) intensity /= k_mm_per_hour;
+        material.rain_maps.push_back({rasters[i].time, rasters[i + 1].time, std::move(*raster)});
+    }
+    files.push_back(used_rain(table, material.rain));
+    material.more_fluid = true;
+}
+
 }  // namespace
 
 std::optional<StructuredMaterial> prepare_structured(const SceneReading& reading, const TerrainInput* ground,
@@ -237,11 +260,7 @@ std::optional<StructuredMaterial> prepare_structured(const SceneReading& reading
         });
     }
     if (spec.rain && spec.rain->kind == SourceSpec::Kind::table)
-        attempt(problems, [&] {
-            material->rain = read_rain(spec.rain->name, reading.where("structured.rain"));
-            files.push_back(used_rain(spec.rain->name, material->rain));
-            material->more_fluid = true;
-        });
+        attempt(problems, [&] { prepare_rain(reading, ground, *material, files, log, problems); });
     if (material->solids && release.solid_fraction)
         material->zones.push_back({&SolidValues::solid_fraction, *release.solid_fraction});
     if (ground == nullptr) return material;

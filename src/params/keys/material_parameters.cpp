@@ -73,7 +73,7 @@ void add_fluid(std::vector<Parameter>& list) {
         "Depth of free fluid on the ground or on the solids at the start, in addition to the release.", "none"));
     list.push_back(source("structured.rain", FRANA_MEMBER(structured.rain), "mm/h", Range{0, 2500},
                           {SourceSpec::Kind::number, SourceSpec::Kind::table},
-                          "Rain on all cells: its intensity, or a CSV with the columns time and rain, or depth.",
+                          "Rain: its intensity, or a CSV with the columns time and rain, depth or raster.",
                           "none"));
     list.push_back(by_place(
         "structured.soil-conductivity", FRANA_MEMBER(structured.soil_conductivity), "mm/h", Range{0, 1e5},

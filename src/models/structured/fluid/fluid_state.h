@@ -72,6 +72,13 @@ struct FluidState {
     ZeroArray<double> resistance_x, resistance_y;
     std::vector<std::int64_t> resisted;  ///< tiles in which it is not 0; ascending
 
+    /// Rain by place from one time to another [s].
+    struct RainMap {
+        double from = 0, until = 0;
+        ZeroArray<double> intensity;  ///< [m/s], by cell
+    };
+    std::vector<RainMap> rain_maps;
+    double volume_rained_by_place = 0;     ///< from them, so far [m3]
     double rained = 0;                     ///< depth of rain so far, in every open cell [m]
     std::vector<std::int64_t> open_tiles;  ///< on which rain falls; only with rain
     std::int64_t open_cells = 0;           ///< in them
@@ -81,7 +88,7 @@ struct FluidState {
     ZeroArray<GreenAmpt> soils;            ///< by cell
 
     [[nodiscard]] double volume_rained() const noexcept {
-        return rained * static_cast<double>(open_cells) * now.cell_area();
+        return rained * static_cast<double>(open_cells) * now.cell_area() + volume_rained_by_place;
     }
     [[nodiscard]] BedFrame frame(std::size_t cell) const noexcept {
         return {now.slope_x[cell], now.slope_y[cell], now.root[cell]};
@@ -105,7 +112,8 @@ struct FluidState {
 
 template <class Archive>
 void serialise(Archive& archive, FluidState& state) {
-    archive(state.now, state.volume_into_gaps, state.rained, state.infiltrated, state.volume_infiltrated);
+    archive(state.now, state.volume_into_gaps, state.rained, state.volume_rained_by_place, state.infiltrated,
+            state.volume_infiltrated);
 }
 
 /// Results of an advance.

@@ -23,26 +23,46 @@ void for_open_cells(const FluidState& state, std::int64_t tile, const Visit& vis
         });
 }
 
-// Returns the depth that infiltrates in a tile [m], summed over its cells.
-// Three instantiations: tight ground, uniform soil, soil by place.
-template <class SoilOf>
-double exchange(FluidState& state, std::int64_t tile, double rain, double dt, const SoilOf& soil_of) {
+struct Exchanged {
+    double fallen = 0, gone = 0;  ///< depths, summed over cells [m]
+};
+
+// What falls on a tile and infiltrates in it. Six instantiations: rain everywhere or by place; tight ground, uniform
+// soil, soil by place.
+template <class RainOf, class SoilOf>
+Exchanged exchange(FluidState& state, std::int64_t tile, const RainOf& rain_of, double dt, const SoilOf& soil_of) {
     finite_volume::State& now = state.now;
-    double sum = 0;
+    Exchanged sum;
     for_open_cells(state, tile, [&](std::size_t cell) {
+        const double rain = rain_of(cell);
         now.depth[cell] += rain;
+        sum.fallen += rain;
         if constexpr (!std::is_same_v<SoilOf, Tight>) {
             const double depth = now.depth[cell], gone = soil_of(cell)(state.infiltrated[cell], depth, dt);
             if (!(gone > 0)) return;
             const double kept = 1 - gone / depth;
             state.infiltrated[cell] += gone;
-            sum += gone;
+            sum.gone += gone;
             now.depth[cell] = depth - gone;
             now.qx[cell] *= kept;
             now.qy[cell] *= kept;
         }
     });
     return sum;
+}
+
+// A map of rain, and for how much of a step it falls [s].
+struct Falling {
+    const ZeroArray<double>* intensity;
+    double seconds;
+};
+
+std::vector<Falling> falling_between(const FluidState& state, double from, double until) {
+    std::vector<Falling> all;
+    for (const FluidState::RainMap& map : state.rain_maps)
+        if (const double seconds = std::min(until, map.until) - std::max(from, map.from); seconds > 0)
+            all.push_back({&map.intensity, seconds});
+    return all;
 }
 
 }  // namespace
@@ -65,21 +85,37 @@ void find_open_ground(FluidState& state, const FluidLaws& laws) {
 void rain_and_infiltrate(FluidState& state, const FluidLaws& laws, double time, double dt, ThreadPool& pool) {
     const bool soaks = state.infiltrated.size() > 0;
     const double fallen = laws.rain.depth_by(time), rain = std::max(0.0, fallen - state.rained);
-    if (rain == 0 && !soaks) return;
+    const std::vector<Falling> falling = falling_between(state, time - dt, time);
+    const bool rains = rain > 0 || !falling.empty();
+    if (!rains && !soaks) return;
     state.rained = std::max(state.rained, fallen);
-    const std::vector<std::int64_t>& tiles = rain > 0 ? state.open_tiles : state.now.wet;
-    std::vector<double> gone(tiles.size());
-    const auto over_tiles = [&](const auto& soil_of) {
-        pool.for_each(tiles.size(), [&](std::size_t t) { gone[t] = exchange(state, tiles[t], rain, dt, soil_of); });
+    const std::vector<std::int64_t>& tiles = rains ? state.open_tiles : state.now.wet;
+    std::vector<Exchanged> sums(tiles.size());
+    const auto over_tiles = [&](const auto& rain_of, const auto& soil_of) {
+        pool.for_each(tiles.size(), [&](std::size_t t) { sums[t] = exchange(state, tiles[t], rain_of, dt, soil_of); });
     };
-    if (!soaks) {
-        over_tiles(Tight{});
-    } else if (state.soils.size() == 0) {
-        over_tiles([&](std::size_t) { return state.soil; });
+    const auto with_rain = [&](const auto& rain_of) {
+        if (!soaks) {
+            over_tiles(rain_of, Tight{});
+        } else if (state.soils.size() == 0) {
+            over_tiles(rain_of, [&](std::size_t) { return state.soil; });
+        } else {
+            over_tiles(rain_of, [&](std::size_t cell) { return state.soils[cell]; });
+        }
+    };
+    if (falling.empty()) {
+        with_rain([rain](std::size_t) { return rain; });
     } else {
-        over_tiles([&](std::size_t cell) { return state.soils[cell]; });
+        with_rain([&](std::size_t cell) {
+            double depth = 0;
+            for (const Falling& one : falling) depth += one.seconds * (*one.intensity)[cell];
+            return depth;
+        });
     }
-    for (const double depth : gone) state.volume_infiltrated += depth * state.now.cell_area();
+    for (const Exchanged& sum : sums) {
+        state.volume_infiltrated += sum.gone * state.now.cell_area();
+        if (!falling.empty()) state.volume_rained_by_place += sum.fallen * state.now.cell_area();
+    }
     finite_volume::settle(state.now, sweeps_of(laws, state.now.nodes), tiles, &pool);
 }
 
