@@ -171,12 +171,20 @@ double beta_of(const Polyline& path, const Raster& bed, double top) {
     const double whole = length(path), ahead = std::max(k_ahead, 3 * bed.grid.cell_size);
     if (!(whole > ahead)) return 0;
     const std::vector<Station> along = stations(path, bed.grid.cell_size);
+    // A path that crosses a slope sideways is gentle where the ground is not.
+    const auto is_steep = [&](Point a, Point b) {
+        const double x = 0.5 * (a.x + b.x), y = 0.5 * (a.y + b.y), half = 0.5 * ahead;
+        const double east = cell_value(bed, {x + half, y}) - cell_value(bed, {x - half, y}),
+                     north = cell_value(bed, {x, y + half}) - cell_value(bed, {x, y - half});
+        return std::hypot(east, north) > std::tan(k_gentle) * ahead;
+    };
     std::size_t next = 0;
     for (const Station& station : along) {
         while (next < along.size() && along[next].distance < station.distance + ahead) ++next;
         if (next == along.size()) break;
         const double here = cell_value(bed, station.place), fall = here - cell_value(bed, along[next].place);
-        if (station.distance > 0 && fall < std::tan(k_gentle) * (along[next].distance - station.distance))
+        if (station.distance > 0 && fall < std::tan(k_gentle) * (along[next].distance - station.distance) &&
+            !is_steep(station.place, along[next].place))
             return std::atan2(top - here, station.distance) * 180 / std::numbers::pi;
     }
     return 0;

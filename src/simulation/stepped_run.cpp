@@ -377,10 +377,12 @@ void SteppedRun::count(const StepStatistics& statistics) {
 
 std::optional<StopReason> SteppedRun::reason_to_stop(const StepStatistics& statistics) {
     if (!result_.run_problems.empty()) return reason_of(result_.run_problems.front());
-    const bool rains = scene_.structured && model_->time() < scene_.structured->rain.end();
-    if (rains) settling_.restart(model_->time());
-    if (arrivals_.done() && !rains) {
-        if (model_->empty()) return StopReason::all_left;
+    // What rains or soaks away changes the flow, though nothing moves.
+    const bool rains = scene_.structured && model_->time() < scene_.structured->rain.end(),
+               changes = rains || model_->bed_budget().infiltrated > result_.volume_infiltrated;
+    if (changes) settling_.restart(model_->time());
+    if (arrivals_.done() && !rains && model_->empty()) return StopReason::all_left;
+    if (arrivals_.done() && !changes) {
         if (scene_.time.stop_when_still && still_.still(statistics)) return StopReason::still;
         const double all = result_.volume_entered + model_->bed_budget().rained + model_->bed_budget().eroded;
         if (settling_.settled(*model_, statistics.kinetic, all) && result_.moving_fraction_limit <= k_creeping_volume)
@@ -410,6 +412,7 @@ void SteppedRun::advance() {
         options_.before_end([&](StateWriter& writer) { writer(*this); });
     const double limit = left <= stable ? left : left < 2 * stable ? 0.5 * left : left;
     const double began = model_->time();
+    result_.volume_infiltrated = model_->bed_budget().infiltrated;
     StepStatistics statistics = model_->step(limit);
     // A step that does not advance time results from a non-finite value.
     if (!(model_->time() > began)) statistics.non_finite = std::max<std::int64_t>(statistics.non_finite, 1);

@@ -108,5 +108,23 @@ TEST(Beta, IsTheAngleToTheFirstThirtyMetresUnderTenDegrees) {
     EXPECT_NEAR(at_bench, 30, 0.5) << "a wide one has the 10 degree point";
 }
 
+// A slope of 25 degrees that falls to the south: along it there is no 10 degree point, though the path is level.
+TEST(Beta, IsNotWhereThePathCrossesASteepSlopeSideways) {
+    GridSpec grid;
+    grid.cell_size = 5;
+    grid.columns = grid.rows = 80;
+    grid.north = 400;
+    Raster bed(grid);
+    for (std::int64_t r = 0; r < grid.rows; ++r)
+        for (std::int64_t c = 0; c < grid.columns; ++c)
+            bed.at(r, c) = 1000 - 5 * static_cast<double>(r) * std::tan(25 * M_PI / 180);
+    const Polyline path{{200, 380}, {200, 250}, {350, 250}, {350, 20}};
+    EXPECT_EQ(beta_of(path, bed, 1000), 0);
+    for (std::int64_t r = 60; r < grid.rows; ++r)  // below, flat ground
+        for (std::int64_t c = 0; c < grid.columns; ++c) bed.at(r, c) = bed.at(60, c);
+    const double way = 130 + 150 + 150, fall = 300 * std::tan(25 * M_PI / 180);  // to the foot, 100 m from the south
+    EXPECT_NEAR(beta_of(path, bed, 1000), std::atan2(fall, way) * 180 / M_PI, 1);
+}
+
 }  // namespace
 }  // namespace frana

@@ -192,6 +192,21 @@ TEST_F(StructuredScene, RainFallsAndInfiltrates) {
     EXPECT_LT(summary_number("placed", "relative_error"), 1e-12);
 }
 
+// A pond that only soaks away has not come to its end, though nothing moves: 20 cm on tight walls.
+TEST_F(StructuredScene, APondSoaksAwayToTheEnd) {
+    write_dtm([](int, int) { return 100.0; });
+    write_polygon("perimeter", {{0, 0}, {300, 0}, {300, 150}, {0, 150}});
+    write_fluid("[numerics]\nboundary = wall\n" + k_numbers_only +
+                "[structured]\nsoil-conductivity = 40\nsoil-suction = 0\nsoil-moisture-deficit = 0.5\n");
+    const Outcome outcome = frana(
+        {"run", "scene.ini", "--out", "result", "--quiet", "--set", "release.thickness=0.2", "--set", "time.end=60"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(summary_number("result", "simulated_seconds"), 60);
+    // dF/dt = K (1 + D (H - F)/F), H = 0.2 m: the start, where F is small, follows sqrt(2 K D H t).
+    const double k = 40 / 3.6e6, first = std::sqrt(2 * k * 0.5 * 0.2 * 60);
+    EXPECT_NEAR(summary_number("result", "infiltrated_m3"), first * 300 * 150, 0.05 * first * 300 * 150);
+}
+
 // A shower of 12 s and one of 4 s on the eastern half, on flat ground out of reach of edges and of the release.
 TEST_F(StructuredScene, RainFallsWhereRastersSay) {
     write_dtm([](int, int column) { return column < k_columns / 2 ? 0.0 : 2500.0; }, true, "east.asc");

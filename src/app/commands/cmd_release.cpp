@@ -48,7 +48,7 @@ const StartQuantity k_start_quantities[]{
     {"--density", "KG/M3", "with its water (default: 2000)", {50, 3500}, "1.8 g/cm3, or 17.7 kN/m3, is 1800", 2000},
     {"--least-slope", "DEGREES", "on which masses start (default: 0)", {3, 89}, "In degrees: 28, not 0.5", 0, true},
     {"--greatest-slope", "DEGREES", "the same (default: 90)", {3, 90}, "In degrees: 55, not 1.4", 90},
-    {"--convexity", "1/M", "greatest across the slope, 0.02: radius 50 m", {0, 1}, "6 per 100 m is 0.06", 1},
+    {"--convexity", "1/M", "greatest, tan(slope) / radius in plan", {0, 1}, "6 per 100 m is 0.06", 1},
     {"--least-area", "M2", "smaller areas are left out (default: 500)", {0, 1e9}, "0.1 ha is 1000", 500},
 };
 
@@ -86,6 +86,13 @@ StartRequest read_start_request(const boost::program_options::variables_map& val
         problems.add({"is required", "--thickness", "", "", "In metres, or raster:FILE"});
     if (!request.has_factor && values.count("least-slope") == 0)
         problems.add({"is required, or --least-slope", "--friction-angle", "", "", "They say where masses start"});
+    constexpr double k_water = 1000;  // [kg/m3]
+    const SourceSpec &water = request.given[k_saturation], &weight = request.given[k_weight];
+    if (water.kind == SourceSpec::Kind::number && weight.kind == SourceSpec::Kind::number &&
+        weight.number < k_water * water.number)
+        problems.add({"is less than that of its water alone", "--density", shortest_text(weight.number),
+                      "at least " + shortest_text(k_water * water.number) + " kg/m3 at this --saturation",
+                      "Give the density with its water"});
     if (!(request.given[k_from].number < request.given[k_to].number))
         problems.add({"is not less than --greatest-slope", "--least-slope", "", "", "Exchange them"});
     return request;
@@ -135,6 +142,16 @@ std::vector<PolygonFeature> areas_of(const SlopeScreening& screening, const Star
         one.parts.push_back(std::move(part));
     }
     return areas;
+}
+
+std::int64_t cells_without_values(const StartRequest& request, const Raster& terrain) {
+    std::int64_t count = 0;
+    terrain.values.for_each_stored([&](std::size_t cell, double z) {
+        bool is_blank = std::isnan(z);
+        for (std::size_t i = 0; i <= k_weight; ++i) is_blank = is_blank || std::isnan(request.at(i, cell));
+        count += is_blank;
+    });
+    return count;
 }
 
 }  // namespace
@@ -207,6 +224,11 @@ int cmd_release(const Arguments& arguments) {
         for (const PolygonFeature& one : areas) all += one.numbers.at(name);
         return grouped(std::round(all));
     };
+    if (const std::int64_t blank = cells_without_values(request, ground->terrain); blank > 0)
+        std::cerr << "frana: warning: "
+                  << number_text(
+                         100.0 * static_cast<double>(blank) / static_cast<double>(ground->terrain.grid.cell_count()), 3)
+                  << " % of the map has no elevation or no value of a raster: not screened\n";
     std::cerr << "frana: a screening, not a prediction: each cell alone, one layer, no time\nfrana: areas: "
               << areas.size() << ", " << sum("area_m2") << " m2, " << sum("volume_m3") << " m3\nfrana: wrote "
               << joined(files, " and ") << '\n';

@@ -26,6 +26,8 @@ const std::vector<PlausibleRange> k_ranges{
     {"zones.friction-angle", 1, k_any, k_angle, k_arc_tangent, true, nullptr, k_frictionless},
     {"zones.friction-coefficient", 0, k_any, nullptr, 1, false, nullptr, k_frictionless},
     {"structured.bed-friction-angle", 1, k_any, k_angle, k_arc_tangent, true},
+    {"entrainment.detrainment-coefficient", 1, k_any, "kPa", 1000, true},
+    {"zones.detrainment-coefficient", 1, k_any, "kPa", 1000, true},
     {"structured.rain", 0.1, k_any, "m/h", 1000, true},
     {"structured.rain", 1e-3, k_any, "m/s", 3.6e6, true},
     {"structured.soil-conductivity", 0.1, k_any, "cm/s", 36e3, true},

@@ -109,6 +109,8 @@ TEST_F(Release, PlausibleMistakesAreRefusedWithTheUnit) {
     expect_refused(with("--saturation", "50"), "50 % is 0.5");
     expect_refused(with("--density", "1.8"), "1.8 g/cm3");
     expect_refused(with("--density", "18"), "17.7 kN/m3");
+    expect_refused({"--thickness", "1", "--friction-angle", "45", "--saturation", "1", "--density", "300"},
+                   "is less than that of its water alone (value 300");
     expect_refused(with("--convexity", "6"), "6 per 100 m is 0.06");
     expect_refused(with("--least-slope", "0.5"), "28, not 0.5");
     expect_refused(with("--greatest-slope", "1.4"), "55, not 1.4");
