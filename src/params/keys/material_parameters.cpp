@@ -73,8 +73,7 @@ void add_fluid(std::vector<Parameter>& list) {
         "Depth of free fluid on the ground or on the solids at the start, in addition to the release.", "none"));
     list.push_back(source("structured.rain", FRANA_MEMBER(structured.rain), "mm/h", Range{0, 2500},
                           {SourceSpec::Kind::number, SourceSpec::Kind::table},
-                          "Rain: its intensity, or a CSV with the columns time and rain, depth or raster.",
-                          "none"));
+                          "Rain: its intensity, or a CSV with the columns time and rain, depth or raster.", "none"));
     list.push_back(by_place(
         "structured.soil-conductivity", FRANA_MEMBER(structured.soil_conductivity), "mm/h", Range{0, 1e5},
         "Saturated conductivity of the soil, into which free fluid infiltrates (Green-Ampt).", "tight ground"));
