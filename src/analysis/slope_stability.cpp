@@ -11,7 +11,7 @@
 
 namespace frana {
 
-constexpr double k_radians = std::numbers::pi / 180, k_water_density = 1000;
+constexpr double k_radians = std::numbers::pi / 180;
 // Spurs between starting zones are some tens of metres wide; smaller forms are roughness.
 constexpr double k_convexity_spacing = 20;
 

@@ -7,6 +7,8 @@
 
 namespace frana {
 
+inline constexpr double k_water_density = 1000;  ///< rho_w [kg/m3]
+
 /// What may slide off an infinite slope, on a plane parallel to the ground.
 struct SlopeLayer {
     double cohesion = 0;        ///< c [Pa]
@@ -20,8 +22,8 @@ struct SlopeLayer {
 ///
 ///     F = (c + max(0, rho - m rho_w) g d cos^2(s) tan(phi)) / (rho g d sin(s) cos(s))
 ///
-/// rho_w = 1000 kg/m3; the pore pressure is that of seepage along the slope. Infinite on level ground; 0 without any
-/// strength; NaN where a value is, without thickness, and without strength on level ground.
+/// The pore pressure is that of seepage along the slope. Infinite on level ground; 0 without any strength; NaN where a
+/// value is, without thickness, and without strength on level ground.
 /// @param slope_deg s [degrees], 0 to 90
 double factor_of_safety(const SlopeLayer& layer, double slope_deg);
 

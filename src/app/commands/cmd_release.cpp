@@ -86,12 +86,11 @@ StartRequest read_start_request(const boost::program_options::variables_map& val
         problems.add({"is required", "--thickness", "", "", "In metres, or raster:FILE"});
     if (!request.has_factor && values.count("least-slope") == 0)
         problems.add({"is required, or --least-slope", "--friction-angle", "", "", "They say where masses start"});
-    constexpr double k_water = 1000;  // [kg/m3]
     const SourceSpec &water = request.given[k_saturation], &weight = request.given[k_weight];
     if (water.kind == SourceSpec::Kind::number && weight.kind == SourceSpec::Kind::number &&
-        weight.number < k_water * water.number)
+        weight.number < k_water_density * water.number)
         problems.add({"is less than that of its water alone", "--density", shortest_text(weight.number),
-                      "at least " + shortest_text(k_water * water.number) + " kg/m3 at this --saturation",
+                      "at least " + shortest_text(k_water_density * water.number) + " kg/m3 at this --saturation",
                       "Give the density with its water"});
     if (!(request.given[k_from].number < request.given[k_to].number))
         problems.add({"is not less than --greatest-slope", "--least-slope", "", "", "Exchange them"});
@@ -144,12 +143,13 @@ std::vector<PolygonFeature> areas_of(const SlopeScreening& screening, const Star
     return areas;
 }
 
+/// Cells of the ground on which a raster says nothing.
 std::int64_t cells_without_values(const StartRequest& request, const Raster& terrain) {
     std::int64_t count = 0;
     terrain.values.for_each_stored([&](std::size_t cell, double z) {
-        bool is_blank = std::isnan(z);
+        bool is_blank = false;
         for (std::size_t i = 0; i <= k_weight; ++i) is_blank = is_blank || std::isnan(request.at(i, cell));
-        count += is_blank;
+        count += !std::isnan(z) && is_blank;
     });
     return count;
 }
@@ -228,7 +228,7 @@ int cmd_release(const Arguments& arguments) {
         std::cerr << "frana: warning: "
                   << number_text(
                          100.0 * static_cast<double>(blank) / static_cast<double>(ground->terrain.grid.cell_count()), 3)
-                  << " % of the map has no elevation or no value of a raster: not screened\n";
+                  << " % of the map has no value of a raster: not screened\n";
     std::cerr << "frana: a screening, not a prediction: each cell alone, one layer, no time\nfrana: areas: "
               << areas.size() << ", " << sum("area_m2") << " m2, " << sum("volume_m3") << " m3\nfrana: wrote "
               << joined(files, " and ") << '\n';

@@ -40,13 +40,16 @@ const std::map<std::string, std::map<std::string, double>> k_units{
     {"velocity", {{"ms", 1}, {"kmh", 1 / 3.6}}},
     {"rain", {{"mmh", 1}, {"ms", k_mm_per_hour}}},
     {"depth", {{"mm", 1}, {"m", 1000}}},
+    {"raster", {}},
 };
 
 /// What a table over time gives: a rate, or its sum since the start.
 struct TableQuantity {
     const char *table, *rate, *sum, *unit;  ///< the unit of the sum
+    const char* raster = nullptr;           ///< of files that give the rate by place; null: there are none
 };
-constexpr TableQuantity k_flow{"hydrograph", "discharge", "volume", "m3"}, k_rain{"rain", "rain", "depth", "mm"};
+constexpr TableQuantity k_flow{"hydrograph", "discharge", "volume", "m3"},
+    k_rain{"rain", "rain", "depth", "mm", "raster"};
 
 std::string letters_of(const std::string& unit) {
     std::string letters;
@@ -85,24 +88,28 @@ struct Row {
 };
 
 struct Columns {
-    Column time, amount;
-    std::optional<Column> speed;
+    Column time;
+    std::optional<Column> amount, speed, raster;  ///< an amount, or rasters
     bool cumulative = false;
 };
 
 Columns columns_of(const gis::Table& table, const TableQuantity& of, const std::string& place) {
     Problems problems;
     const auto find = [&](const char* name) { return column_of(table, of, name, place, problems); };
-    const auto time = find("time"), rate = find(of.rate), sum = find(of.sum), speed = find("velocity");
+    const auto time = find("time"), rate = find(of.rate), sum = find(of.sum), speed = find("velocity"),
+               raster = of.raster != nullptr ? find(of.raster) : std::nullopt;
     const std::string names = joined(table.columns, ", "), what = std::string("the ") + of.table + " has ",
                       remedy = "Name the columns in line 1";
     if (!time) problems.add({what + "no column time", place, names, "", remedy});
-    if (!rate && !sum)
+    if (!rate && !sum && !raster)
         problems.add({what + "neither a column " + of.rate + " nor " + of.sum, place, names, "", remedy});
     if (rate && sum)
         problems.add({what + "a " + of.rate + " and a " + of.sum, place, names, "", "Keep one of the two"});
+    if (raster && (rate || sum))
+        problems.add(
+            {what + "a " + of.raster + " and a " + (rate ? of.rate : of.sum), place, names, "", "Keep one of the two"});
     problems.throw_if_any();
-    return {*time, rate ? *rate : *sum, speed, sum.has_value()};
+    return {*time, rate ? rate : sum, speed, raster, sum.has_value()};
 }
 
 std::vector<Row> rows_of(const gis::Table& table, const Columns& columns, const TableQuantity& of,
@@ -123,7 +130,8 @@ std::vector<Row> rows_of(const gis::Table& table, const Columns& columns, const 
                               "0 to " + shortest_text(k_most_of_hydrograph), "Correct the file"});
             return column.unit * value.value_or(0);
         };
-        Row row{number(columns.time), number(columns.amount), columns.speed ? number(*columns.speed) : 0};
+        const auto number_if = [&](const std::optional<Column>& column) { return column ? number(*column) : 0; };
+        const Row row{number(columns.time), number_if(columns.amount), number_if(columns.speed)};
         if (!rows.empty() && !(row.time > rows.back().time))
             problems.add({line + ": the times do not rise", place, shortest_text(row.time) + " s",
                           "after " + shortest_text(rows.back().time) + " s", "Sort the rows by time"});
@@ -161,7 +169,7 @@ Hydrograph read_hydrograph(const std::string& file, const Place& where, double g
     const std::vector<Row> rows = rows_of(table, columns, k_flow, place);
     Hydrograph hydrograph{{},
                           columns.time.is_named,
-                          columns.cumulative || columns.amount.is_named,
+                          columns.cumulative || columns.amount->is_named,
                           !columns.speed || columns.speed->is_named};
     std::vector<HydrographPoint>& points = hydrograph.points;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -181,41 +189,24 @@ Hydrograph read_hydrograph(const std::string& file, const Place& where, double g
     return hydrograph;
 }
 
-std::vector<RainFile> read_rain_files(const std::string& file, const Place& where) {
-    const std::string place = where + ": " + file, folder = file.substr(0, file.find_last_of('/'));
-    const gis::Table table = gis::read_table(file, where);
-    const auto raster = std::find_if(table.columns.begin(), table.columns.end(),
-                                     [](const std::string& name) { return trimmed(name) == "raster"; });
-    if (raster == table.columns.end()) return {};
-    Problems problems;
-    const auto time = column_of(table, k_rain, "time", place, problems);
-    if (!time)
-        problems.add(
-            {"the rain has no column time", place, joined(table.columns, ", "), "", "Name the columns in line 1"});
-    problems.throw_if_any();
-    std::vector<RainFile> files;
-    for (const auto& row : table.rows) {
-        const std::string given = trimmed(row[time->index]),
-                          name = trimmed(row[static_cast<std::size_t>(raster - table.columns.begin())]);
-        const auto seconds = number_from_text(given);
-        if (!seconds || *seconds < 0 || (!files.empty() && !(time->unit * *seconds > files.back().time)))
-            problems.add(
-                {"the times do not rise", place, given, "", "Give seconds, or name the unit, and sort the rows"});
-        files.push_back({time->unit * seconds.value_or(0), name.empty() ? "" : absolute_path(name, folder)});
-    }
-    if (files.size() < 2 || !files.back().path.empty())
-        problems.add(
-            {"the last row has a raster", place, "", "", "Add a row with the time when the rain ends and none"});
-    problems.throw_if_any();
-    return files;
-}
-
-Rain read_rain(const std::string& file, const Place& where) {
+RainTable read_rain(const std::string& file, const Place& where) {
     const std::string place = where + ": " + file;
     const gis::Table table = gis::read_table(file, where);
     const Columns columns = columns_of(table, k_rain, place);
     const std::vector<Row> rows = rows_of(table, columns, k_rain, place);
-    Rain rain;
+    RainTable read;
+    Rain& rain = read.rain;
+    if (columns.raster) {
+        const std::string folder = file.substr(0, file.find_last_of('/'));
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const std::string name = trimmed(table.rows[i][columns.raster->index]);
+            rain.points.push_back({rows[i].time, 0});
+            read.rasters.push_back(name.empty() ? "" : absolute_path(name, folder));
+        }
+        if (rows.size() >= 2 && read.rasters.back().empty()) return read;
+        throw Error(ErrorKind::input, Problem{"does not say when the rain ends", place, "", "",
+                                              "Add a last row with that time and no raster"});
+    }
     double heaviest = 0;
     const auto add = [&](double time, double rate) {
         heaviest = std::max(heaviest, rate);
@@ -231,7 +222,7 @@ Rain read_rain(const std::string& file, const Place& where) {
         }
     }
     const Parameter& key = *find_parameter(scene_parameters(), "structured.rain");
-    if (heaviest > 0 && key.fits(heaviest)) return rain;
+    if (heaviest > 0 && key.fits(heaviest)) return read;
     const PlausibleRange* const other = range_without(key.name(), heaviest);
     throw Error(ErrorKind::input,
                 Problem{"the heaviest rain is not plausible", place, shortest_text(heaviest) + " mm/h",

@@ -26,17 +26,14 @@ struct Hydrograph {
 /// times that do not rise, a negative discharge or a decreasing volume, a discharge with speed zero.
 Hydrograph read_hydrograph(const std::string& file, const Place& where, double gravity, double line_length);
 
-/// Reads rain from a CSV with the columns time and rain [mm/h], linear between its rows, or depth [mm], fallen since
-/// the start; with units as a hydrograph. Throws Error(input): as read_hydrograph, and for rain that is not plausible.
-/// A raster of rain [mm/h] that falls from a time [s] to that of the next; an empty path: none.
-struct RainFile {
-    double time = 0;
-    std::string path;
+struct RainTable {
+    Rain rain;
+    /// Of rain by place, a raster [mm/h] for each point of `rain`, until the time of the next one; empty: a dry spell.
+    std::vector<std::string> rasters;
 };
-/// Reads a table with the columns time and raster, whose last row only ends the rain; nothing if it has no such column.
-/// Throws Error(input).
-std::vector<RainFile> read_rain_files(const std::string& file, const Place& where);
-/// As read_rain_files, of a table with the columns time and rain, or depth.
-Rain read_rain(const std::string& file, const Place& where);
+/// Reads rain from a CSV with the columns time and rain [mm/h], linear between its rows, or depth [mm], fallen since
+/// the start, or raster, whose last row only ends the rain; with units as a hydrograph. Throws Error(input): as
+/// read_hydrograph, and for rain that is not plausible.
+RainTable read_rain(const std::string& file, const Place& where);
 
 }  // namespace frana::app

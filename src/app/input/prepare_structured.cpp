@@ -215,20 +215,20 @@ std::optional<Raster> property_raster(const SceneReading& reading, const Terrain
 void prepare_rain(const SceneReading& reading, const TerrainInput* ground, StructuredMaterial& material,
                   std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
     const std::string key = "structured.rain", &table = reading.scene.structured.rain->name;
-    const std::vector<RainFile> rasters = read_rain_files(table, reading.where(key));
-    if (rasters.empty()) {
-        material.rain = read_rain(table, reading.where(key));
-    } else if (ground != nullptr && ground->on_demand) {
+    RainTable read = read_rain(table, reading.where(key));
+    material.rain = std::move(read.rain);
+    if (!read.rasters.empty() && ground != nullptr && ground->on_demand) {
         problems.add({"has rasters, and the terrain is too large to be read as a whole", reading.where(key), table, "",
                       "Cut it with terrain.bounds, or give a rain that is the same everywhere"});
+        read.rasters.clear();
     }
-    for (std::size_t i = 0; i < rasters.size(); ++i) {
-        material.rain.points.push_back({rasters[i].time, 0});
-        if (rasters[i].path.empty() || (ground != nullptr && ground->on_demand)) continue;
-        auto raster = read_zone_raster(reading, ground, key, rasters[i].path, false, files, log, problems);
+    for (std::size_t i = 0; i < read.rasters.size(); ++i) {
+        if (read.rasters[i].empty()) continue;
+        auto raster = read_zone_raster(reading, ground, key, read.rasters[i], false, files, log, problems);
         if (!raster) continue;
         for (double& intensity : raster->values) intensity /= k_mm_per_hour;
-        material.rain_maps.push_back({rasters[i].time, rasters[i + 1].time, std::move(*raster)});
+        material.rain_maps.push_back(
+            {material.rain.points[i].time, material.rain.points[i + 1].time, std::move(*raster)});
     }
     files.push_back(used_rain(table, material.rain));
     material.more_fluid = true;

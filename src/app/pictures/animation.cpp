@@ -10,7 +10,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "analysis/trace.h"
 #include "app/pictures/result_reader.h"
 #include "app/text/number_text.h"
 #include "gis/raster/raster_in.h"
@@ -44,8 +43,8 @@ std::string lower_case_first(std::string words) {
     return words;
 }
 
-Raster read_frame(const AnimationSource& of, const StoredFrame& frame, const std::string& quantity) {
-    const std::string file = frame.raster_file(quantity);
+Raster read_frame(const AnimationSource& of, const StoredFrame& frame) {
+    const std::string file = frame.raster_file(of.quantity);
     Raster values = gis::read_result_raster(file);
     require_cells(values.grid, file, of.layer.values.grid, of.layer_file);
     return values;
@@ -60,7 +59,7 @@ render::Image draw_frame(Animator& animator, const StoredFrame& frame, const Ani
         subtitle += '\n' + (has_small_nouns ? lower_case_first(one) : one);
     if (const ParticleQuantity* const of_particles = find_particle_quantity(of.quantity))
         return animator.frame(read_particle_dots(frame.particle_file, *of_particles), subtitle);
-    return animator.frame(read_frame(of, frame, of.quantity), subtitle);
+    return animator.frame(read_frame(of, frame), subtitle);
 }
 
 /// How many pictures of the film each frame is. The film's time is the volume that moves to other cells, so that a rest

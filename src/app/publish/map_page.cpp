@@ -366,6 +366,8 @@ class MapPage {
             return of.west <= box.east && of.east >= box.west && of.south <= box.north && of.north >= box.south;
         };
         for (const render::Outline& mark : source_.marks) {
+            if (std::any_of(all.begin(), all.end(), [&](const Json& one) { return one["title"] == mark.label; }))
+                continue;
             Json features = Json::array();
             const auto add = [&](const char* kind, Json part) {
                 features.push_back({{"rows", Json::array()}, {kind, Json::array({std::move(part)})}});
@@ -374,9 +376,7 @@ class MapPage {
                 if (meets(polygon.outer)) add("areas", rings_json(polygon));
             for (const Polyline& line : mark.lines)
                 if (meets(line)) add("lines", points_json(line, grid_));
-            const bool is_there =
-                std::any_of(all.begin(), all.end(), [&](const Json& one) { return one["title"] == mark.label; });
-            if (is_there || features.empty()) continue;
+            if (features.empty()) continue;
             const std::size_t bytes = features.dump().size();
             if (bytes_ + bytes > k_most_bytes) {
                 left_out_.push_back(mark.label);

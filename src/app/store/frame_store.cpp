@@ -338,7 +338,7 @@ std::vector<StoredFrame> stored_frames(const std::string& folder) {
                 Problem{
                     "is not a list of frames: a line is not the next index with a time and a volume not below the last",
                     list_file(folder), elided(valid_utf8(line), k_shown), "index,time_s,moved_m3",
-                    "The file is damaged"});
+                    "The file is damaged, or of an earlier version: run the scene again"});
         }
         const std::size_t index = frames.size();
         frames.push_back({*time, *moved, folder, index, frame_path(folder, k_particle_table, index)});
