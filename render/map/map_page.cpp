@@ -364,7 +364,7 @@ void MapPage::furnish(const MapSpec& spec, const PagePlan& plan, const PageStyle
     if (!scale_.classes().empty() || (spec.layer == nullptr && spec.dots == nullptr)) return;
     TextStyle note = style.heading;
     note.halo_px = std::max(2.0, style.length(4));
-    const std::string words = spec.words("nothing to show: the raster has no values");
+    const std::string words = spec.words("no values");
     sheet.text(words, {frame_.left + frame_.width / 2.0, frame_.top + frame_.height / 2.0},
                shrunk_to_fit(sheet.lettering(), words, note, 0.9 * frame_.width, 0.5), Across::centre, Upright::middle);
 }

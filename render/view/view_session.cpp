@@ -229,7 +229,7 @@ void ViewSession::arrange(const ViewSpec& spec, bool for_frames, bool nothing_to
         if (nothing_to_show) {
             TextStyle note = style.heading;
             note.halo_px = std::max(2.0, style.length(4));
-            sheet.text(spec.words("nothing to show: the raster has no values"),
+            sheet.text(spec.words("no values"),
                        {(picture.left + picture.right) / 2, (picture.top + picture.bottom) / 2}, note, Across::centre,
                        Upright::middle);
         }

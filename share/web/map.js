@@ -55,7 +55,7 @@ L.control.scale({ imperial: false }).addTo(map);
 map.fitBounds(extent);
 map.setMaxBounds(L.latLngBounds(extent).pad(1));
 
-/** A canvas with one pixel a cell, as a layer of the map. */
+/** A canvas over all cells, as a layer of the map. */
 const CanvasLayer = L.ImageOverlay.extend({
   _initImage() {
     this._image = this._url;
@@ -63,15 +63,16 @@ const CanvasLayer = L.ImageOverlay.extend({
     if (this._zoomAnimated) L.DomUtil.addClass(this._image, 'leaflet-zoom-animated');
   }
 });
-function cellCanvas(kind) {
-  const canvas = element('canvas', { width: grid.columns, height: grid.rows, className: kind });
+function cellCanvas(kind, finer = 1) {
+  const canvas = element('canvas', { width: grid.columns * finer, height: grid.rows * finer, className: kind });
   canvas.setAttribute('aria-hidden', 'true');
   return canvas;
 }
 function paint(canvas, colourOf) {
-  const context = canvas.getContext('2d'), image = context.createImageData(grid.columns, grid.rows);
+  const context = canvas.getContext('2d'), image = context.createImageData(canvas.width, canvas.height);
   const pixels = new Uint32Array(image.data.buffer);
-  for (let cell = 0; cell < count; ++cell) pixels[cell] = colourOf(cell);
+  for (let row = 0, pixel = 0; row < canvas.height; ++row)
+    for (let column = 0; column < canvas.width; ++column, ++pixel) pixels[pixel] = colourOf(row, column);
   context.putImageData(image, 0, 0);
 }
 const opaque = ([r, g, b]) => (255 << 24 | b << 16 | g << 8 | r) >>> 0;
@@ -81,8 +82,7 @@ async function paintRelief(canvas) {
   const ground = await cellsOf(data.ground);
   const at = (row, column) => ground[Math.min(grid.rows - 1, Math.max(0, row)) * grid.columns +
     Math.min(grid.columns - 1, Math.max(0, column))];
-  paint(canvas, cell => {
-    const row = Math.floor(cell / grid.columns), column = cell % grid.columns;
+  paint(canvas, (row, column) => {
     const east = (at(row, column + 1) - at(row, column - 1)) / (2 * grid.cell);
     const south = (at(row + 1, column) - at(row - 1, column)) / (2 * grid.cell);
     const lit = (0.5 * east + 0.5 * south + Math.SQRT1_2) / Math.hypot(east, south, 1);
@@ -91,7 +91,9 @@ async function paintRelief(canvas) {
   });
 }
 
-const shown = cellCanvas('cells');
+// Pixels of a cell along each side: edges are smoothed for display, as on the pictures.
+const finer = Math.min(4, Math.max(1, Math.floor(Math.sqrt(2e6 / count))));
+const shown = cellCanvas('cells', finer);
 if (data.ground) {
   const relief = cellCanvas('relief');
   new CanvasLayer(relief, extent).addTo(map);
@@ -110,13 +112,33 @@ function classOf(one, value) {
   return index < 0 ? one.classes.length - 1 : index;
 }
 
+/** Index of the class that a pixel shows: where the cells with one count less than half of the four around it, -1;
+ * else that of their mean, or of exact values the one that counts most. */
+function shownClass(look, values, classes, row, column) {
+  const y = (row + 0.5) / finer - 0.5, x = (column + 0.5) / finer - 0.5, top = Math.floor(y), left = Math.floor(x);
+  const at = (r, c) => r < 0 || c < 0 || r >= grid.rows || c >= grid.columns ? -1 : classes[r * grid.columns + c];
+  const four = [at(top, left), at(top, left + 1), at(top + 1, left), at(top + 1, left + 1)];
+  if (four.every(one => one === four[0])) return four[0];
+  const weights = four.map((one, k) => one < 0 ? 0 : (1 - Math.abs(y - top - (k >> 1))) * (1 - Math.abs(x - left - (k & 1))));
+  const covered = weights.reduce((sum, weight) => sum + weight);
+  if (covered < 0.5) return -1;
+  if (!look.exact) return classOf(look, weights.reduce((sum, weight, k) =>
+    weight > 0 ? sum + weight * values[(top + (k >> 1)) * grid.columns + left + (k & 1)] : sum, 0) / covered);
+  const countOf = of => four.reduce((sum, one, k) => one === of ? sum + weights[k] : sum, 0);
+  return four.reduce((most, one) => countOf(one) > countOf(most) ? one : most);
+}
+
 /** Draws the layer, or a frame, that was chosen last. */
 async function showLayer() {
   const asked = ++turn, look = frame < 0 ? layer : data.frames;
   const values = await cellsOf(frame < 0 ? layer : data.frames.list[frame]);
   if (asked !== turn) return;
   const colours = look.classes.map(entry => opaque(entry.colour));
-  paint(shown, cell => { const index = classOf(look, values[cell]); return index < 0 ? 0 : colours[index]; });
+  const classes = Int16Array.from(values, value => classOf(look, value));
+  paint(shown, (row, column) => {
+    const index = shownClass(look, values, classes, row, column);
+    return index < 0 ? 0 : colours[index];
+  });
   byId('legend').replaceChildren(element('h2', {}, look.title), ...look.classes.map(entry => {
     const swatch = element('span', { className: 'swatch' });
     swatch.style.background = `rgb(${entry.colour})`;
@@ -246,7 +268,9 @@ async function ask(place) {
     if (text) (one === layer && frame < 0 ? rows : others).push([one.title, text]);
   }
   if (isInside && data.ground) rows.push([data.ground.title, `${steppedText((await cellsOf(data.ground))[cell], data.ground.step)} m`]);
-  const reach = 8 * 2 ** -map.getZoom(), here = [table('', rows)], tables = [table(words.here, rows.concat(placeRows(place)))];
+  const isNarrow = window.matchMedia('(max-width: 45rem)').matches;  // the panel is below the map
+  const reach = 8 * 2 ** -map.getZoom(), tables = [table(words.here, rows.concat(placeRows(place)))];
+  const here = [table('', isNarrow ? rows.concat(others, placeRows(place)) : rows)];
   for (const shape of data.shapes)
     for (const feature of shape.features)
       if (feature.rows.length > 0 && map.hasLayer(shape.group) && isAt(feature, place, reach)) {

@@ -18,6 +18,7 @@
 #include "params/keys/result_rasters.h"
 #include "physics/friction_coulomb.h"
 #include "simulation/dispatch.h"
+#include "simulation/recorder.h"
 #include "simulation/release.h"
 #include "simulation/run_warnings.h"
 #include "simulation/scene.h"
@@ -412,20 +413,17 @@ Raster Flow::jump_height() const {
 std::vector<NamedRaster> Flow::low_flights() const {
     const Maxima& low = state_.flights.low();
     const Raster depth = to_raster(low.depth), velocity = to_raster(low.speed);
-    Raster flux = depth, head = depth, momentum = depth;
-    depth.values.for_each_stored([&](std::size_t cell, double deep) {
-        const double speed = velocity.values[cell];
-        flux.values[cell] = deep * speed;
-        head.values[cell] = deep + speed * speed / (2 * laws_.gravity);
-        momentum.values[cell] = deep * speed * speed;
-    });
-    return {{RasterName::max_depth, depth},
-            {RasterName::max_velocity, velocity},
-            {RasterName::max_flux, flux},
-            {RasterName::max_head, head},
-            {RasterName::max_momentum_flux, momentum},
-            {RasterName::max_pressure, max_pressure(velocity)},
-            {RasterName::arrival_time, to_raster(low.arrival_plus_1, 1)}};
+    std::vector<NamedRaster> rasters{{RasterName::max_depth, depth},
+                                     {RasterName::max_velocity, velocity},
+                                     {RasterName::max_pressure, max_pressure(velocity)},
+                                     {RasterName::arrival_time, to_raster(low.arrival_plus_1, 1)}};
+    for (const Peak& peak : peaks()) {
+        Raster& raster = rasters.emplace_back(NamedRaster{peak.name, depth}).values;
+        depth.values.for_each_stored([&](std::size_t cell, double deep) {
+            raster.values[cell] = peak.of(deep, velocity.values[cell], laws_.gravity);
+        });
+    }
+    return rasters;
 }
 
 void Flow::states(std::span<const std::size_t> nodes, NodeState* states) const {

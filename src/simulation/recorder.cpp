@@ -8,32 +8,22 @@
 #include "params/keys/result_rasters.h"
 
 namespace frana {
-namespace {
 
-/// A maximum over time of a state, as a raster. Besides, its row in params/keys/result_rasters.cpp.
-struct Peak {
-    const char* name;
-    double (*of)(const NodeState& state, double gravity);
-    double (*least)(double max_depth);  ///< in a cell that was reached, also without motion
-};
-constexpr Peak k_peaks[] = {
-    {RasterName::max_flux, [](const NodeState& state, double) { return state.depth * state.speed; },
-     [](double) { return 0.0; }},
-    {RasterName::max_head,
-     [](const NodeState& state, double gravity) { return state.depth + state.speed * state.speed / (2 * gravity); },
-     [](double max_depth) { return max_depth; }},
-    {RasterName::max_momentum_flux,
-     [](const NodeState& state, double) { return state.depth * state.speed * state.speed; },
-     [](double) { return 0.0; }}};
-
-}  // namespace
+std::span<const Peak> peaks() {
+    static constexpr Peak k_peaks[] = {
+        {RasterName::max_flux, [](double depth, double speed, double) { return depth * speed; }},
+        {RasterName::max_head,
+         [](double depth, double speed, double gravity) { return depth + speed * speed / (2 * gravity); }},
+        {RasterName::max_momentum_flux, [](double depth, double speed, double) { return depth * speed * speed; }}};
+    return k_peaks;
+}
 
 Recorder::Recorder(const Recording& recording, const GridSpec& grid, const Numerics& numerics)
     : intensity_(recording.intensity),
       interval_(recording.interval),
       minimum_depth_(numerics.minimum_depth),
       gravity_(numerics.gravity),
-      peaks_(std::size(k_peaks)) {
+      peaks_(peaks().size()) {
     const double cell_size = grid.cell_size;
     const std::int64_t stride = grid.columns + 2 * k_ghost;
     if (intensity_) {
@@ -109,10 +99,11 @@ void Recorder::add_gauges(const Model& model, double time) {
 }
 
 void Recorder::fold_intensity(const Model& model) {
+    const std::span<const Peak> all = peaks();
     model.for_each_active_state([&](std::size_t node, const NodeState& state) {
         if (state.depth < minimum_depth_) return;
-        for (std::size_t k = 0; k < std::size(k_peaks); ++k)
-            peaks_[k][node] = std::max(peaks_[k][node], k_peaks[k].of(state, gravity_));
+        for (std::size_t k = 0; k < all.size(); ++k)
+            peaks_[k][node] = std::max(peaks_[k][node], all[k].of(state.depth, state.speed, gravity_));
     });
 }
 
@@ -147,14 +138,14 @@ void Recorder::move_to(const Model& model, RunResult& result) {
     result.gauges = std::move(gauge_rows_);
     result.sections = std::move(section_rows_);
     if (!intensity_) return;
-    for (std::size_t k = 0; k < std::size(k_peaks); ++k) {
+    for (std::size_t k = 0; k < peaks_.size(); ++k) {
         Raster peak = model.to_raster(peaks_[k]);
         result.raster(RasterName::max_depth).values.for_each_stored([&](std::size_t cell, double depth) {
             if (std::isnan(depth)) return;
-            const double least = k_peaks[k].least(depth);
+            const double least = peaks()[k].of(depth, 0, gravity_);  // in a cell that was reached, also without motion
             if (!(peak.values[cell] >= least)) peak.values[cell] = least;
         });
-        result.add(k_peaks[k].name, std::move(peak));
+        result.add(peaks()[k].name, std::move(peak));
     }
 }
 

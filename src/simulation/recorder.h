@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "core/zero_array.h"
@@ -10,6 +11,14 @@
 #include "simulation/scene.h"
 
 namespace frana {
+
+/// A maximum over time of what follows from depth [m], speed [m/s] and gravity [m/s2], as a raster. Besides, its row in
+/// params/keys/result_rasters.cpp.
+struct Peak {
+    const char* name;
+    double (*of)(double depth, double speed, double gravity);
+};
+std::span<const Peak> peaks();
 
 /// Records the outputs of a scene besides the maxima, from the nodes after each step. For a model that does not show
 /// the end of a step, the state after the very last one is not recorded.
@@ -62,7 +71,7 @@ class Recorder {
     std::vector<Line> lines_;
     std::vector<GaugeRow> gauge_rows_;
     std::vector<SectionRow> section_rows_;
-    std::vector<ZeroArray<double>> peaks_;  ///< one for each of k_peaks
+    std::vector<ZeroArray<double>> peaks_;  ///< one for each of peaks()
 };
 
 }  // namespace frana

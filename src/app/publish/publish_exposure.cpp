@@ -144,8 +144,7 @@ ExposureTotals write_exposure(const gis::FeatureLayer& layer, const std::vector<
 std::string exposure_sentence(const ExposureTotals& totals, ReachedBy by, const Words& words) {
     static const std::map<ReachedBy, std::string> k_labels{
         {ReachedBy::the_flow, worded("Exposed features reached")},
-        {ReachedBy::any_run, worded("Exposed features reached by at least one run")},
-        {ReachedBy::any_slope, worded("Exposed features reached by at least one slope")}};
+        {ReachedBy::any_run, worded("Exposed features reached by at least one run")}};
     const std::string least = totals.is_least ? "≥ " : "";  // the full reach is not known
     const auto of = [&](double part, double all) {
         return words("{1} of {2}", {words.number(grouped(part)), words.number(grouped(all))});

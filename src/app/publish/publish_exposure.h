@@ -47,7 +47,7 @@ struct ExposureTotals {
 inline constexpr std::size_t k_most_named = 50;
 
 /// What reaches the features.
-enum class ReachedBy { the_flow, any_run, any_slope };
+enum class ReachedBy { the_flow, any_run };
 
 /// The cells of each feature on a grid.
 std::vector<std::vector<std::size_t>> exposed_cells(const gis::FeatureLayer& layer, const GridSpec& grid);

@@ -200,9 +200,9 @@ void add_friction_table(std::vector<Parameter>& list) {
                                           "none")));
     const Range factors{0.1, 10};
     list.push_back(number("material.table-friction-factor", FRANA_MEMBER(friction_table.friction_factor), "", factors,
-                          "Factor of every mu of the friction table, for studies."));
+                          "Factor of the friction table's values, for studies."));
     list.push_back(number("material.table-turbulence-factor", FRANA_MEMBER(friction_table.turbulence_factor), "",
-                          factors, "Factor of every xi of the friction table, for studies."));
+                          factors, "Factor of the friction table's values, for studies."));
 }
 
 }  // namespace

@@ -122,17 +122,14 @@ void add_extra_output(std::vector<Parameter>& list) {
     list.push_back(text("output.exposure-count", FRANA_MEMBER(output.exposure_count), "text",
                         "Column of output.exposure with how many each feature stands for (people, dwellings).",
                         "each counts as one"));
-    list.push_back(rising_numbers("output.depth-thresholds", FRANA_MEMBER(output.depth_thresholds), "m",
-                                  "`frana ensemble`: maximum depths whose probability of being exceeded is mapped."));
-    list.push_back(rising_numbers("output.velocity-thresholds", FRANA_MEMBER(output.velocity_thresholds), "m/s",
-                                  "`frana ensemble`: maximum speeds whose probability of being exceeded is mapped."));
-    list.push_back(
-        rising_numbers("output.pressure-thresholds", FRANA_MEMBER(output.pressure_thresholds), "kPa",
-                       "`frana ensemble`: maximum dynamic pressures whose probability of being exceeded is mapped."));
-    list.push_back(rising_numbers("output.momentum-flux-thresholds", FRANA_MEMBER(output.momentum_flux_thresholds),
-                                  "m3/s2",
-                                  "`frana ensemble`: maxima of depth times speed squared whose probability of being "
-                                  "exceeded is mapped."));
+    const auto thresholds = [&](const char* key, auto member, const char* unit) {
+        list.push_back(rising_numbers(key, member, unit,
+                                      "`frana ensemble`: maxima whose probability of being exceeded is mapped."));
+    };
+    thresholds("output.depth-thresholds", FRANA_MEMBER(output.depth_thresholds), "m");
+    thresholds("output.velocity-thresholds", FRANA_MEMBER(output.velocity_thresholds), "m/s");
+    thresholds("output.pressure-thresholds", FRANA_MEMBER(output.pressure_thresholds), "kPa");
+    thresholds("output.momentum-flux-thresholds", FRANA_MEMBER(output.momentum_flux_thresholds), "m3/s2");
     Parameter rasters = declare::word_list(
         "output.rasters", FRANA_MEMBER(output.rasters), {},
         {RasterName::max_flux, RasterName::max_head, RasterName::max_momentum_flux, k_plane_stress},

@@ -248,7 +248,7 @@ void add_run(Table& table) {
     ResultRaster& outside =
         table.flow(RasterName::outside_depth, "Maximum depth outside the release",
                    "Maximum flow depth over time outside the release, vertical", "m", "depth", k_progressive);
-    outside.is_surface = outside.if_it_happens = true;
+    outside.is_surface = outside.if_it_happens = outside.only_asked = true;
 
     table.when("at the end of a run", nullptr);
     table
@@ -308,10 +308,10 @@ void add_choices(Table& table) {
 
     table.when("where material flew over an edge",
                [](const SceneSpec& scene) { return scene.material.model != "structured" && flight(scene.numerics); });
-    table
-        .flow(RasterName::jump_height, "Height of jumps",
-              "Greatest height above the ground at which material flew over the cell", "m", "depth", k_progressive)
-        .if_it_happens = true;
+    ResultRaster& jumps = table.flow(RasterName::jump_height, "Height of jumps",
+                                     "Greatest height above the ground at which material flew over the cell", "m",
+                                     "depth", k_progressive);
+    jumps.if_it_happens = jumps.only_asked = true;
 }
 
 void add_structured(Table& table) {
@@ -433,7 +433,7 @@ std::vector<std::string> usual_maps() {
     std::vector<std::string> names;
     for (const ResultRaster& one : result_rasters()) {
         const bool shows = one.kind == RasterKind::flow || one.kind == RasterKind::classes;
-        if (shows && one.command == "run" && one.name != RasterName::jump_height) names.push_back(one.name);
+        if (shows && one.command == "run" && !one.only_asked) names.push_back(one.name);
     }
     return names;
 }

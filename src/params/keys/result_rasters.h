@@ -79,6 +79,7 @@ struct ResultRaster {
     /// Whether the scene produces it; null: every scene does.
     bool (*is_produced_by)(const SceneSpec& scene) = nullptr;
     bool if_it_happens = false;    ///< not in every result of such a scene
+    bool only_asked = false;       ///< output.maps = on does not draw it
     bool of_depth = false;         ///< a depth times something else
     bool in_frames = false;        ///< also at every frame
     bool is_surface = false;       ///< thickness: a view shows the surface of the flow

@@ -183,8 +183,7 @@ void add_release(std::vector<Parameter>& list) {
     list.push_back(source("release.velocity", FRANA_MEMBER(release.velocity), "m/s", Range{0, 200},
                           {Given::number, Given::attribute}, "Initial speed along the bed.", "0"));
     list.push_back(source("release.direction", FRANA_MEMBER(release.direction), "degrees", Range{0, 360},
-                          {Given::number, Given::attribute},
-                          "Azimuth of the initial velocity, clockwise from grid north.",
+                          {Given::number, Given::attribute}, "Azimuth, clockwise from grid north.",
                           "down the mean slope of each polygon"));
     list.push_back(source(
         "release.slip-depth", FRANA_MEMBER(release.slip_depth), "m", Range{0, 1000, true},
@@ -202,15 +201,15 @@ void add_inflow(std::vector<Parameter>& list) {
                       "lines with a file for each.",
                       "required with inflow.line")));
     list.push_back(number("inflow.direction", FRANA_MEMBER(inflow.direction), "degrees", Range{0, 360},
-                          "Azimuth of the inflow, clockwise from grid north.",
-                          "normal to the line, towards its lower side"));
+                          "Azimuth, clockwise from grid north.", "normal to the line, towards its lower side"));
 }
 
 void add_zones(std::vector<Parameter>& list) {
     for (const ZoneKey& key : zone_keys())
         list.push_back(source(
             key.name, [member = key.source](auto& scene) -> auto& { return scene.zones.*member; }, key.unit, key.range,
-            {Given::attribute, Given::raster}, key.meaning, "the material's own everywhere"));
+            {Given::attribute, Given::raster}, "Within the zones, in place of the value elsewhere.",
+            "the material's own everywhere"));
 }
 
 using declare::word_list;

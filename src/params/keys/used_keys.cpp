@@ -51,7 +51,6 @@ constexpr KeyRow k_rows[] = {
     {"structured.solid-fraction", false, "fraction of solids"},
     {"structured.grain-density", false, "density of the grains"},
     {"structured.bed-friction-angle", false, "friction angle at the bed"},
-    {"structured.zones", false, "areas of these values"},
     {"numerics.cfl", false, "Courant number"},
     {"observed.front", false, "surveyed front"},
     {"observed.deposit", false, "surveyed deposit"},

@@ -9,8 +9,8 @@ using ColumnNames = std::vector<std::string>;
 using Zones = ZonesSpec;
 
 ZoneKey zone(const std::string& key, std::optional<SourceSpec> ZonesSpec::*source, const std::string& what,
-             const std::string& unit, Range range, const ColumnNames& columns, const std::string& meaning) {
-    return {"zones." + key, source, what, unit, range, columns, meaning};
+             const std::string& unit, Range range, const ColumnNames& columns) {
+    return {"zones." + key, source, what, unit, range, columns};
 }
 
 }  // namespace
@@ -18,17 +18,16 @@ ZoneKey zone(const std::string& key, std::optional<SourceSpec> ZonesSpec::*sourc
 const std::vector<ZoneKey>& zone_keys() {
     static const std::vector<ZoneKey> keys{
         zone("friction-angle", &Zones::friction_angle, "friction", "degrees", Range{0, 60},
-             ColumnNames{"friction_angle", "phi"}, "Bed friction angle by place; this or friction-coefficient."),
+             ColumnNames{"friction_angle", "phi"}),
         zone("friction-coefficient", &Zones::friction_coefficient, "friction", "", Range{0, 2},
-             ColumnNames{"friction_coefficient", "mu"}, "Bed friction coefficient by place."),
+             ColumnNames{"friction_coefficient", "mu"}),
         zone("turbulence", &Zones::turbulence, "turbulence", "m/s2", Range{0, 1e9, true},
-             ColumnNames{"turbulence", "xi"}, "Voellmy turbulence coefficient xi by place."),
-        zone("cohesion", &Zones::cohesion, "cohesion", "Pa", Range{0, 1e6}, ColumnNames{"cohesion"},
-             "Bed cohesion by place."),
+             ColumnNames{"turbulence", "xi"}),
+        zone("cohesion", &Zones::cohesion, "cohesion", "Pa", Range{0, 1e6}, ColumnNames{"cohesion"}),
         zone("erodible-depth", &Zones::erodible_depth, "erodible depth", "m", Range{0, 1000},
-             ColumnNames{"erodible_depth"}, "Erodible depth by place, vertical."),
+             ColumnNames{"erodible_depth"}),
         zone("detrainment-coefficient", &Zones::detrainment_coefficient, "detrainment", "Pa", Range{0, 1e4},
-             ColumnNames{"detrainment_coefficient", "detrainment"}, "Detrainment coefficient K where forest stands.")};
+             ColumnNames{"detrainment_coefficient", "detrainment"})};
     return keys;
 }
 

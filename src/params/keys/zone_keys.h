@@ -20,7 +20,6 @@ struct ZoneKey {
     std::string unit;
     declare::Range range;              ///< that of the same key elsewhere
     std::vector<std::string> columns;  ///< names of columns used for it if no key names one
-    std::string meaning;
 
     /// An angle, stored as its tangent.
     [[nodiscard]] bool degrees() const { return unit == "degrees"; }

@@ -67,9 +67,7 @@ void question_scheme(SceneReading& reading) {
     const std::string& name = *scene.hazard.scheme;
     const bool is_snow = scene.material.density <= k_heaviest_snow;
     if ((name.find("avalanche") != std::string::npos) == is_snow || name.ends_with(".ini")) return;
-    reading.warnings.push_back(worded(is_snow
-                                          ? worded("hazard.scheme = {1} is not of snow: material.density = {2} kg/m3")
-                                          : worded("hazard.scheme = {1} is of snow: material.density = {2} kg/m3"),
+    reading.warnings.push_back(worded("hazard.scheme = {1} does not fit material.density = {2} kg/m3",
                                       {name, numeral(shortest_text(scene.material.density))}));
 }
 

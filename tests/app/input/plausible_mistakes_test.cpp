@@ -106,8 +106,8 @@ TEST_F(Mistakes, ASchemeOfAnotherProcessIsTold) {
     const auto of = [&](const std::string& scheme, const std::string& density) {
         return told({"hazard.scheme=" + scheme, "material.density=" + density});
     };
-    expect_words(of("swiss-avalanche", "2000"), {"hazard.scheme = swiss-avalanche is of snow: material.density"});
-    expect_words(of("austrian-torrent", "300"), {"hazard.scheme = austrian-torrent is not of snow"});
+    expect_words(of("swiss-avalanche", "2000"), {"hazard.scheme = swiss-avalanche does not fit material.density"});
+    expect_words(of("austrian-torrent", "300"), {"hazard.scheme = austrian-torrent does not fit material.density"});
     EXPECT_EQ(of("swiss-avalanche", "300"), "");
     EXPECT_EQ(of("austrian-torrent", "1100"), "");
 }

@@ -126,6 +126,27 @@ TEST_F(MapPage, HasTheValuesOfItsRasters) {
     EXPECT_LE(page["layers"][0]["step"].get<double>(), 0.01 * 0.2);
 }
 
+// Inside a class its colour alone; at an edge pixels of one cell differ. What the cells hold stays.
+TEST_F(MapPage, SmoothsTheEdgesOfClassesForDisplay) {
+    run("");
+    const Json page = seen(
+        "const values = await cellsOf(layer), context = shown.getContext('2d');\n"
+        "const of = (row, column) => row < 0 || column < 0 || row >= grid.rows || column >= grid.columns ? -1 : "
+        "classOf(layer, values[row * grid.columns + column]);\n"
+        "seen = {finer, inside: 0, wrong: 0, mixed: 0};\n"
+        "for (let row = 0; row < grid.rows; ++row) for (let column = 0; column < grid.columns; ++column) {\n"
+        "const own = of(row, column), around = [-1, 0, 1].flatMap(r => [-1, 0, 1].map(c => of(row + r, column + c)));\n"
+        "const bytes = context.getImageData(column * finer, row * finer, finer, finer).data, colours = new Set();\n"
+        "for (let k = 0; k < bytes.length; k += 4) colours.add(bytes.slice(k, k + 4).join());\n"
+        "if (own >= 0 && around.every(one => one === own)) { ++seen.inside; if (colours.size > 1 || "
+        "!colours.has([...layer.classes[own].colour, 255].join())) ++seen.wrong; }\n"
+        "else if (colours.size > 1) ++seen.mixed; }");
+    EXPECT_EQ(page["finer"], 4);
+    EXPECT_GT(page["inside"].get<int>(), 10);
+    EXPECT_EQ(page["wrong"], 0);
+    EXPECT_GT(page["mixed"].get<int>(), 10);
+}
+
 TEST_F(MapPage, TellsThePlaceThatIsClicked) {
     run("frames = on");
     const Raster depth = gis::read_result_raster(path("result/max_depth.tif"));

@@ -177,7 +177,7 @@ std::vector<Cell> scores_row(const std::string& event, const std::string& kind, 
 }
 
 Table scores_table(const StudyInput& input, const CalibrationResult& result, const Words& words) {
-    Table table({words("event"), words("values"), words("score of the best"), words("mean"), "5–95 %"});
+    Table table({words("event"), words("values"), words("best"), words("mean"), "5–95 %"});
     for (std::size_t e = 0; e < input.events(); ++e) {
         const std::string& name = input.spec().events[e].name;
         const EventResult& event = result.events[e];
@@ -192,7 +192,7 @@ Table scores_table(const StudyInput& input, const CalibrationResult& result, con
 Table misfits_table(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
                     const Words& words) {
     const ReportNumbers number(words);
-    Table table({words("event"), words("measure"), words("weight"), words("misfit of the best")});
+    Table table({words("event"), words("measure"), words("weight"), words("best")});
     for (std::size_t e = 0; e < input.events(); ++e) {
         const EventRuns& event = runs.events[e];
         for (std::size_t m = 0; m < event.measures.size(); ++m) {
@@ -350,10 +350,9 @@ void write_calibration_report(const StudyInput& input, const CalibrationRuns& ru
     const std::vector<std::string> maps = pictures_in(directory.path("maps"));
     const std::string& folder = directory.folder();
     Document page = answer(input, runs, result, facts, words);
-    page.end_answer().heading("maps", words("Maps"));
-    if (maps.empty()) page.paragraph(words("There are no maps."));
-    page.maps(maps, folder, words)
-        .heading("scores", words("How well the events are explained"))
+    page.end_answer();
+    if (!maps.empty()) page.heading("maps", words("Maps")).maps(maps, folder, words);
+    page.heading("scores", words("How well the events are explained"))
         .add(misfits_table(input, runs, result, words))
         .charts(titles_of(k_calibration_charts), folder, words);
     add_inputs(input, words, page);

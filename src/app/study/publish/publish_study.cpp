@@ -353,7 +353,7 @@ StudyOutcome publish_study(StudyInput& input, std::size_t members, std::size_t c
         publish_rates(input, result, directory, facts);
         write_member_outlines(input, result, directory.path(k_member_outlines));
         facts.exposure = publish_study_exposure(input, result, map, directory);
-        if (facts.exposure) log.info(exposure_sentence(*facts.exposure, exposure_reached_by(input)));
+        if (facts.exposure) log.info(exposure_sentence(*facts.exposure, ReachedBy::any_run));
     }
     write_study_file(input, directory);  // after the central scene's own inputs
     write_text_file(directory.path(k_member_table), members_csv(input, result));

@@ -84,9 +84,6 @@ std::vector<Scenario> scenarios_of(const StudyInput& input);
 /// Warns of exposed features of which the study will say nothing.
 void warn_of_unknown_exposure(const StudyInput& input, RunLog& log);
 
-/// What reaches the exposed features of a study, for its sentence.
-ReachedBy exposure_reached_by(const StudyInput& input);
-
 /// Writes what the members together do to the exposed features, if there are any: the greatest values of all; of
 /// distributions the probability that the feature, not only one of its cells, is reached and exceeds each threshold; of
 /// slopes how many reach it, which is the worst, and in each scenario the class of intensity and the greatest values,

@@ -316,10 +316,6 @@ void warn_of_unknown_exposure(const StudyInput& input, RunLog& log) {
                                       input.reading.study.region ? nullptr : &input.base.scene.terrain, log);
 }
 
-ReachedBy exposure_reached_by(const StudyInput& input) {
-    return input.reading.study.region ? ReachedBy::any_slope : ReachedBy::any_run;
-}
-
 std::optional<ExposureTotals> publish_study_exposure(const StudyInput& input, const StudyResult& result,
                                                      const Bounds& map, const ResultDirectory& directory) {
     const auto& layer = input.base.extra.exposure;

@@ -91,7 +91,7 @@ std::optional<render::Chart> sensitivity(const ChartData& data, const std::strin
                                               : "",
                                  "",
                                  {}};
-        panel.note = words("not determined by the members");
+        panel.note = words("no estimate");
         const double count = static_cast<double>(figure.keys.size());
         panel.has_rows = true;
         panel.on_y = {0.5, count + 0.5};

@@ -352,7 +352,7 @@ void write_study_report(const StudyInput& input, const StudyResult& result, cons
     const std::vector<std::string> maps = maps_in_order(input, directory);
     const std::string& folder = directory.folder();
     Document page = study_answer(input, result, facts, words);
-    page.add(exposure_answer(facts.exposure, exposure_reached_by(input), words));
+    page.add(exposure_answer(facts.exposure, ReachedBy::any_run, words));
     if (!maps.empty()) page.maps({maps.front()}, folder, words);
     // The first page of paper has room for a short table under its picture.
     const bool is_short = input.reading.study.region || result.figures().size() <= k_figures_on_first_page;
@@ -361,9 +361,7 @@ void write_study_report(const StudyInput& input, const StudyResult& result, cons
     if (!is_short) page.add(study_values(input, result, facts, words));
     page.add(exposure_section(facts.exposure, words));
     if (input.reading.study.region && result.rates) page.add(sources_section(input, result, words));
-    page.heading("maps", words("Maps"));
-    if (maps.size() > 1) page.maps({maps.begin() + 1, maps.end()}, folder, words);
-    if (maps.empty()) page.paragraph(words("There are no maps."));
+    if (maps.size() > 1) page.heading("maps", words("Maps")).maps({maps.begin() + 1, maps.end()}, folder, words);
     add_inputs(input, facts, words, page);
     page.charts(study_charts(), folder, words);
     end_page(input, title_of(input, words), failures_list(input, result, words), facts,
