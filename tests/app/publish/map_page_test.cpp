@@ -130,14 +130,16 @@ TEST_F(MapPage, HasTheValuesOfItsRasters) {
 TEST_F(MapPage, SmoothsTheEdgesOfClassesForDisplay) {
     run("");
     const Json page = seen(
-        "const values = await cellsOf(layer), context = shown.getContext('2d');\n"
+        "const values = await cellsOf(layer), width = shown.width;\n"
+        "const bytes = shown.getContext('2d').getImageData(0, 0, width, shown.height).data;\n"
         "const of = (row, column) => row < 0 || column < 0 || row >= grid.rows || column >= grid.columns ? -1 : "
         "classOf(layer, values[row * grid.columns + column]);\n"
         "seen = {finer, inside: 0, wrong: 0, mixed: 0};\n"
         "for (let row = 0; row < grid.rows; ++row) for (let column = 0; column < grid.columns; ++column) {\n"
-        "const own = of(row, column), around = [-1, 0, 1].flatMap(r => [-1, 0, 1].map(c => of(row + r, column + c)));\n"
-        "const bytes = context.getImageData(column * finer, row * finer, finer, finer).data, colours = new Set();\n"
-        "for (let k = 0; k < bytes.length; k += 4) colours.add(bytes.slice(k, k + 4).join());\n"
+        "const own = of(row, column), around = [-1, 0, 1].flatMap(r => [-1, 0, 1].map(c => of(row + r, column + c))), "
+        "colours = new Set();\n"
+        "for (let k = 0; k < finer * finer; ++k) { const at = 4 * ((row * finer + Math.floor(k / finer)) * width + "
+        "column * finer + k % finer); colours.add(bytes.slice(at, at + 4).join()); }\n"
         "if (own >= 0 && around.every(one => one === own)) { ++seen.inside; if (colours.size > 1 || "
         "!colours.has([...layer.classes[own].colour, 255].join())) ++seen.wrong; }\n"
         "else if (colours.size > 1) ++seen.mixed; }");
