@@ -258,12 +258,11 @@ void publish_project(const std::string& folder, const std::string& title) {
 
 void publish_frame_styles(const std::string& folder) {
     const ResultReader result(folder);
-    for (const ResultRaster* row : frame_rasters(result)) {
-        const MapLayer layer = result.map_layer(row->name + "@0");
-        gis::write_styles(result.path(frame_style(row->name) + ".tif"),
-                          gis::class_stops(palette(row->palette), layer.classes, row->unit, result.words()), row->unit,
-                          gis::StyleKind::classed, result.words()(row->title));
-    }
+    for (const ResultRaster* row : frame_rasters(result))
+        gis::write_styles(
+            result.path(frame_style(row->name) + ".tif"),
+            gis::class_stops(palette(row->palette), result.greatest(row->name).classes, row->unit, result.words()),
+            row->unit, gis::StyleKind::classed, result.words()(row->title));
 }
 
 }  // namespace frana::app
