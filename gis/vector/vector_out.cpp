@@ -110,11 +110,23 @@ std::unique_ptr<OGRLineString> line_of(const Polyline& line) {
     return made;
 }
 
-double length_of(const Polyline& line) {
-    double sum = 0;
+/// How a layer of one kind of shape is written, and its column of measure.
+struct Kind {
+    Shape shape;
+    OGRwkbGeometryType type;
+    const char* measure;
+};
+constexpr Kind k_kinds[] = {{Shape::area, wkbMultiPolygon, "area_m2"},
+                            {Shape::line, wkbLineString, "length_m"},
+                            {Shape::point, wkbPoint, nullptr}};
+
+double measure_of(const MixedShape& shape, Shape kind) {
+    if (kind != Shape::line) return area(shape.areas);
+    const Polyline& line = shape.lines.at(0);
+    double length = 0;
     for (std::size_t i = 1; i < line.size(); ++i)
-        sum += std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
-    return sum;
+        length += std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
+    return length;
 }
 
 /// Writes the features with a column for each attribute. GeoPackage reserves two names, and the measure's is used; a
@@ -171,10 +183,6 @@ void write_layers(const std::string& gpkg_path, const std::string& crs_wkt, std:
         }
         return write_layer_styles(dataset, styles);
     });
-}
-
-StyleText style_or_default(const std::string& layer, const StyleText& own, Shape shape) {
-    return own.qml.empty() ? style_of(layer, shape, {}) : own;
 }
 
 bool write_table(GDALDataset& dataset, OGRSpatialReference* crs, const std::string& name, const PointTable& table) {
@@ -240,7 +248,7 @@ void write_points(const std::string& gpkg_path, const std::string& crs_wkt, cons
 
 void write_mixed(const std::string& gpkg_path, const std::string& crs_wkt, const std::string& base,
                  const std::vector<Feature>& features, const std::map<Shape, StyleText>& styles) {
-    constexpr std::tuple<Shape, const char*, OGRwkbGeometryType> k_kinds[] = {
+    constexpr std::tuple<Shape, const char*, OGRwkbGeometryType> k_several[] = {
         {Shape::area, "_areas", wkbMultiPolygon},
         {Shape::line, "_lines", wkbMultiLineString},
         {Shape::point, "_points", wkbMultiPoint}};
@@ -249,7 +257,7 @@ void write_mixed(const std::string& gpkg_path, const std::string& crs_wkt, const
         if (const auto shape = shape_of(feature.shape)) shapes.insert(*shape);
     if (shapes.empty()) shapes.insert(Shape::point);
     std::vector<RowLayer> layers;
-    for (const auto& [shape, ending, type] : k_kinds) {
+    for (const auto& [shape, ending, type] : k_several) {
         if (shapes.count(shape) == 0) continue;
         const auto style = styles.find(shape);
         RowLayer& layer = layers.emplace_back(
@@ -262,33 +270,18 @@ void write_mixed(const std::string& gpkg_path, const std::string& crs_wkt, const
     write_layers(gpkg_path, crs_wkt, std::move(layers));
 }
 
-void write_outlines(const std::string& gpkg_path, const std::string& crs_wkt, const std::vector<OutlineLayer>& layers) {
+void write_shapes(const std::string& gpkg_path, const std::string& crs_wkt, const std::vector<ShapeLayer>& layers) {
     std::vector<RowLayer> all;
     std::set<std::string> descriptions;
-    for (const OutlineLayer& layer : layers) {
+    for (const ShapeLayer& layer : layers) {
+        const auto& [shape, type, measure] = *std::find_if(std::begin(k_kinds), std::end(k_kinds),
+                                                           [&](const Kind& one) { return one.shape == layer.shape; });
         RowLayer& made = all.emplace_back(RowLayer{
-            layer.name, wkbMultiPolygon, "area_m2", {}, style_or_default(layer.name, layer.style, Shape::area)});
+            layer.name, type, measure, {}, layer.style.qml.empty() ? style_of(layer.name, shape, {}) : layer.style});
         if (!layer.description.empty())
             made.options = {descriptions.insert("DESCRIPTION=" + layer.description).first->c_str(), nullptr};
-        for (const PolygonFeature& one : layer.features)
-            made.rows.push_back({to_ogr(one.parts), area(one.parts), &one.numbers, &one.texts});
-    }
-    write_layers(gpkg_path, crs_wkt, std::move(all));
-}
-
-void write_lines_and_points(const std::string& gpkg_path, const std::string& crs_wkt,
-                            const std::vector<ShapeLayer>& layers) {
-    std::vector<RowLayer> all;
-    for (const ShapeLayer& layer : layers) {
-        const bool lines = layer.shape == Shape::line;
-        RowLayer& made = all.emplace_back(RowLayer{layer.name,
-                                                   lines ? wkbLineString : wkbPoint,
-                                                   lines ? "length_m" : nullptr,
-                                                   {},
-                                                   style_or_default(layer.name, layer.style, layer.shape)});
         for (const Feature& one : layer.features)
-            made.rows.push_back({geometry_of(one.shape, made.type), lines ? length_of(one.shape.lines.at(0)) : 0,
-                                 &one.numbers, &one.texts});
+            made.rows.push_back({geometry_of(one.shape, type), measure_of(one.shape, shape), &one.numbers, &one.texts});
     }
     write_layers(gpkg_path, crs_wkt, std::move(all));
 }
@@ -351,7 +344,7 @@ void write_zones(const std::string& path, const std::string& crs_wkt, const std:
             layer.rows.push_back({std::move(shape), 0, is_drawing ? &none : &zones[i].feature.numbers, &texts[i],
                                   is_drawing ? pen : pen + ";BRUSH(fc:" + colour + "80)"});
         };
-        auto shape = to_ogr(zones[i].feature.parts);
+        auto shape = to_ogr(zones[i].feature.shape.areas);
         if (to_degrees && shape->transform(to_degrees.get()) != OGRERR_NONE)
             session.refuse_written("the vector file", path);
         if (to_degrees) shape = valid_parts(*shape);

@@ -8,7 +8,7 @@
 
 #include "core/geometry.h"
 #include "core/point_table.h"
-#include "gis/vector/features_in.h"
+#include "gis/vector/vector_in.h"
 #include "gis/vector/vector_style.h"
 
 namespace frana::gis {
@@ -27,30 +27,20 @@ struct LayerStyle {
 /// Name of QGIS's table of styles, which is no layer.
 inline constexpr const char* k_style_table = "layer_styles";
 
-struct OutlineLayer {
+/// Features of one kind of shape.
+struct ShapeLayer {
     std::string name;  ///< "release", "trace", "deposit"
-    std::vector<PolygonFeature> features;
-    StyleText style{};          ///< empty: outlines of the default look
+    std::vector<Feature> features;
+    Shape shape = Shape::area;
+    StyleText style{};          ///< empty: the default look
     std::string description{};  ///< in the table of contents
 };
 
-/// Features of one kind of shape.
-struct ShapeLayer {
-    std::string name;
-    Shape shape;
-    std::vector<Feature> features;
-    StyleText style{};  ///< empty: the default look
-};
-
-/// Writes a GeoPackage with one multipolygon layer per entry, with an area_m2 column and the features' own attributes,
-/// each with its style, which QGIS uses without being asked (table layer_styles).
+/// Writes a GeoPackage with one layer per entry: of areas, each feature a multipolygon with its area_m2; of lines, each
+/// feature one with its length_m; or of points. The features have their own attributes, NaN as NULL, and each layer its
+/// style, which QGIS uses without being asked (table layer_styles).
 /// Written aside and renamed. An empty CRS is stored as undefined. Throws Error(environment).
-void write_outlines(const std::string& gpkg_path, const std::string& crs_wkt, const std::vector<OutlineLayer>& layers);
-
-/// Writes a GeoPackage with one layer per entry: of lines, each with its length_m, or of points. Attributes that are
-/// NaN become NULL. Otherwise as write_outlines.
-void write_lines_and_points(const std::string& gpkg_path, const std::string& crs_wkt,
-                            const std::vector<ShapeLayer>& layers);
+void write_shapes(const std::string& gpkg_path, const std::string& crs_wkt, const std::vector<ShapeLayer>& layers);
 
 /// The same of features that may have several parts and any shape: a layer of areas, one of lines, one of points (those
 /// that occur; a feature without geometry goes to the first).
@@ -60,7 +50,7 @@ void write_mixed(const std::string& gpkg_path, const std::string& crs_wkt, const
 
 /// A polygon of a map that people draw.
 struct Zone {
-    PolygonFeature feature;
+    Feature feature;
     std::string name;  ///< as people read it: of a placemark, of a layer of a drawing
     Rgb colour{};
 };

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,11 +26,23 @@ struct Polygon {
 };
 using MultiPolygon = std::vector<Polygon>;
 
-/// One feature of a vector layer: its polygons and its numeric attributes (text attributes are kept as text).
-struct PolygonFeature {
-    MultiPolygon parts;
-    std::map<std::string, double> numbers;
+/// Areas, lines and points.
+struct MixedShape {
+    MultiPolygon areas;
+    std::vector<Polyline> lines;
+    std::vector<Point> points;
+
+    [[nodiscard]] bool empty() const noexcept { return areas.empty() && lines.empty() && points.empty(); }
+};
+
+/// One feature of a vector layer, in map coordinates.
+struct Feature {
+    MixedShape shape;                       ///< empty: without geometry
+    std::map<std::string, double> numbers;  ///< NaN: none
     std::map<std::string, std::string> texts;
+    std::string name{};             ///< of the name column, else its number in the file
+    std::optional<double> count{};  ///< of the column of counts
+    std::int64_t fid = 0;           ///< in its file
 };
 
 /// Returns the area of a ring [m2], positive for either orientation.
@@ -140,15 +153,6 @@ class NearestSegment {
 
     std::vector<Segment> segments_;
     std::vector<Box> boxes_;
-};
-
-/// A feature of any kind, in map coordinates: areas, lines and points.
-struct MixedShape {
-    MultiPolygon areas;
-    std::vector<Polyline> lines;
-    std::vector<Point> points;
-
-    [[nodiscard]] bool empty() const noexcept { return areas.empty() && lines.empty() && points.empty(); }
 };
 
 }  // namespace frana

@@ -22,8 +22,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const gis::PolygonLayer layer = gis::read_polygons(file.path(), utm, "release.perimeter");
         // Accepted outlines can be computed with.
         if (layer.features.empty()) __builtin_trap();
-        for (const PolygonFeature& feature : layer.features) {
-            for (const Polygon& polygon : feature.parts) {
+        for (const Feature& feature : layer.features) {
+            for (const Polygon& polygon : feature.shape.areas) {
                 if (polygon.outer.size() < 3 || !std::isfinite(area(polygon))) __builtin_trap();
             }
         }

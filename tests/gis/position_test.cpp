@@ -52,8 +52,8 @@ TEST(Position, ASquareInThreeSystemsCoversTheSameCells) {
                             100,
                             crs};
         const Raster square = read_raster_on(folder.file("dtm.tif"), grid, "", Resampling::bilinear).raster;
-        const Raster released = coverage(release.features[0].parts, grid);
-        const Raster scarred = coverage(scar.features[0].parts, grid);
+        const Raster released = coverage(release.features[0].shape.areas, grid);
+        const Raster scarred = coverage(scar.features[0].shape.areas, grid);
         // Half a cell all along the outline of 800 m is the area of 80 cells. The two outlines are within a centimetre
         // of each other: of their cells only those whose centres are on an edge may differ.
         int by_raster = 0, by_scar = 0;
@@ -93,7 +93,7 @@ TEST(Position, CornersAgreeWithGdaltransform) {
         const PolygonLayer layer = read_polygons(folder.file(name), utm, "");
         for (const Point& corner : k_utm_corners) {
             double nearest = HUGE_VAL;
-            for (const Point& p : layer.features[0].parts[0].outer)
+            for (const Point& p : layer.features[0].shape.areas[0].outer)
                 nearest = std::min(nearest, std::hypot(p.x - corner.x, p.y - corner.y));
             EXPECT_LT(nearest, 0.01) << name;
         }

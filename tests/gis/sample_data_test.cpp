@@ -66,7 +66,7 @@ TEST(SampleData, ReleaseHasItsVolumeAndIsInItsPerimeter) {
         for (std::int64_t column = 0; column < thickness.grid.columns; ++column) {
             // The edge's 120 straight segments are up to 0.15 m inside the curve, where the bowl is thinner than 0.2 m.
             if (thickness.at(row, column) < 0.2) continue;
-            ASSERT_TRUE(contains(perimeter.features[0].parts, thickness.grid.cell_centre(row, column)));
+            ASSERT_TRUE(contains(perimeter.features[0].shape.areas, thickness.grid.cell_centre(row, column)));
         }
     }
 }
@@ -86,7 +86,7 @@ TEST(SampleData, OutlinesOfBothDatumsAreWhereTheyWereDrawn) {
                             Wanted{"scar.shp", sample::scar_outline(), "EPSG:3003", 2e-3}}) {
         const PolygonLayer layer = read_polygons(committed(w.file), utm, w.file);
         EXPECT_EQ(layer.crs_label.substr(0, 9), w.crs);
-        const Ring& read = layer.features[0].parts[0].outer;
+        const Ring& read = layer.features[0].shape.areas[0].outer;
         for (const Point& local : w.ring) {
             const Point map = grid.map_from_local(local);
             double nearest = 1e9;

@@ -220,8 +220,8 @@ Comparison compare_into(Simulated& simulated, const std::string& folder, RunLog&
     if (comparison.statistics) begin_own(folder, comparison_pictures(simulated.source.style, folder));
     write_comparison(comparison, simulated.input, folder);
     if (comparison.statistics)
-        write_result_outlines((fs::path(folder) / k_comparison_outline).string(), simulated.input.depth.grid.crs_wkt,
-                              {{"scar", {{simulated.input.survey.scar, {}, {}}}}}, simulated.input.words);
+        write_result_shapes((fs::path(folder) / k_comparison_outline).string(), simulated.input.depth.grid.crs_wkt,
+                            {{"scar", {{{simulated.input.survey.scar, {}, {}}, {}, {}}}}}, simulated.input.words);
     if (comparison.statistics) {
         simulated.source.scar = simulated.input.survey.scar;
         is_drawn("comparison.png", log, [&] {

@@ -68,7 +68,7 @@ std::map<std::string, std::string> region_columns(const gis::PolygonLayer& layer
     const auto take = [&](const char* key, const std::string& column, const std::vector<std::string>& words) {
         if (has_word(column, words)) found.try_emplace(key, one_line(column));
     };
-    for (const PolygonFeature& feature : layer.features) {
+    for (const Feature& feature : layer.features) {
         for (const auto& [column, value] : feature.numbers) {
             take("return-period", column,
                  {"year", "jahr", "anni", "ann\u00e9e", "annee", "a\u00f1o", "return", "ritorno"});
@@ -88,7 +88,7 @@ std::map<std::string, std::string> region_columns(const gis::PolygonLayer& layer
 /// A question for each column of the perimeter that may be the thickness.
 std::vector<std::string> questions(const gis::PolygonLayer& layer) {
     std::map<std::string, std::pair<double, double>> columns;
-    for (const PolygonFeature& feature : layer.features) {
+    for (const Feature& feature : layer.features) {
         for (const auto& [name, value] : feature.numbers) {
             if (!looks_like_thickness(name) || std::isnan(value)) continue;
             const auto [at, added] = columns.try_emplace(name, value, value);

@@ -119,9 +119,9 @@ void read_rasters(StartRequest& request, const SceneReading& reading, const Terr
 }
 
 /// Areas of at least the least size, each with what a release layer has.
-std::vector<PolygonFeature> areas_of(const SlopeScreening& screening, const StartRequest& request) {
+std::vector<Feature> areas_of(const SlopeScreening& screening, const StartRequest& request) {
     const GridSpec& grid = screening.starts.grid;
-    std::vector<PolygonFeature> areas;
+    std::vector<Feature> areas;
     for (Polygon& part : gis::polygonise(screening.starts)) {
         if (area(part) < request.given[k_area].number) continue;
         double cells = 0, thickness = 0, factor = 0, least = k_most_factor;
@@ -132,13 +132,13 @@ std::vector<PolygonFeature> areas_of(const SlopeScreening& screening, const Star
             factor += screening.factor.values[cell];
             least = std::min(least, screening.factor.values[cell]);
         });
-        PolygonFeature& one = areas.emplace_back();
+        Feature& one = areas.emplace_back();
         one.texts["name"] = std::to_string(areas.size());
         one.numbers = {{"area_m2", area(part)},
                        {"thickness_vertical_m", thickness / cells},
                        {"volume_m3", thickness * grid.cell_area()}};
         if (request.has_factor) one.numbers.insert({{"least_factor", least}, {"mean_factor", factor / cells}});
-        one.parts.push_back(std::move(part));
+        one.shape.areas.push_back(std::move(part));
     }
     return areas;
 }
@@ -207,21 +207,21 @@ int cmd_release(const Arguments& arguments) {
         const auto at = [&](std::size_t quantity) { return request.at(quantity, cell); };
         return SlopeLayer{at(k_cohesion), at(k_friction), at(k_thickness), at(k_saturation), at(k_weight)};
     });
-    const std::vector<PolygonFeature> areas = areas_of(screening, request);
+    const std::vector<Feature> areas = areas_of(screening, request);
     const Words words(process_language());
-    gis::OutlineLayer layer{"release", areas, {}, words("Screening of possible releases")};
+    gis::ShapeLayer layer{"release", areas, gis::Shape::area, {}, words("Screening of possible releases")};
     gis::AttributeTitles titles = attribute_titles(words);
     titles.emplace_back("least_factor", words("Least factor of safety"));
     titles.emplace_back("mean_factor", words("Mean factor of safety"));
     layer.style = gis::titled(gis::style_of(layer.name, gis::Shape::area, {k_release_colour, 0.6, true, ""}),
                               layer.description, titles);
-    gis::write_outlines(out, ground->terrain.grid.crs_wkt, {layer});
+    gis::write_shapes(out, ground->terrain.grid.crs_wkt, {layer});
     if (request.has_factor)
         gis::write_geotiff(factor, screening.factor,
                            {"factor_of_safety", "Factor of safety of an infinite slope, a screening", "-", {}});
     const auto sum = [&](const char* name) {
         double all = 0;
-        for (const PolygonFeature& one : areas) all += one.numbers.at(name);
+        for (const Feature& one : areas) all += one.numbers.at(name);
         return grouped(std::round(all));
     };
     if (const std::int64_t blank = cells_without_values(request, ground->terrain); blank > 0)

@@ -386,7 +386,7 @@ bool has_ground(const MixedShape& shape, const Raster& terrain) {
 void warn_of_unknown_exposure(const gis::FeatureLayer& layer, const Bounds& map, const Raster* terrain, RunLog& log) {
     std::size_t unknown = 0;
     std::string first;
-    for (const gis::Feature& feature : layer.features) {
+    for (const Feature& feature : layer.features) {
         const bool is_outside = feature.shape.empty() || place_of(feature.shape, map) == MapPlace::outside;
         if (!is_outside &&
             (terrain == nullptr || terrain->values.is_tiled() || has_ground(feature.shape, std::as_const(*terrain))))

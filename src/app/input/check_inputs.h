@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "core/raster.h"
 #include "core/words/words.h"
-#include "gis/vector/features_in.h"
+#include "gis/vector/vector_in.h"
 #include "params/keys/scene_spec.h"
 #include "simulation/result.h"
 #include "simulation/scene.h"

@@ -17,7 +17,7 @@ const HazardQuantityRow& row_of(const BreakingQuantity& one) {
 }
 
 /// The text of a column of a feature; none: there is no such column.
-std::optional<std::string> attribute_of(const gis::Feature& feature, const std::string& column) {
+std::optional<std::string> attribute_of(const Feature& feature, const std::string& column) {
     if (const auto number = feature.numbers.find(column); number != feature.numbers.end())
         return std::isnan(number->second) ? "" : shortest_text(number->second);
     if (const auto text = feature.texts.find(column); text != feature.texts.end()) return trimmed(text->second);

@@ -6,7 +6,7 @@
 #include "analysis/fragility.h"
 #include "app/input/used_file.h"
 #include "core/error.h"
-#include "gis/vector/features_in.h"
+#include "gis/vector/vector_in.h"
 #include "params/scene/read_scene.h"
 
 namespace frana::app {

@@ -24,7 +24,7 @@ namespace {
 /// The attributes in which any feature has a number.
 std::string numeric_columns(const gis::PolygonLayer& layer) {
     std::set<std::string> names;
-    for (const PolygonFeature& feature : layer.features)
+    for (const Feature& feature : layer.features)
         for (const auto& number : feature.numbers) names.insert(number.first);
     std::string known;
     for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
@@ -32,7 +32,7 @@ std::string numeric_columns(const gis::PolygonLayer& layer) {
 }
 
 /// The number of a feature in a column. One text makes a column of numbers a column of texts.
-std::optional<double> number_in(const PolygonFeature& feature, const std::string& column) {
+std::optional<double> number_in(const Feature& feature, const std::string& column) {
     if (const auto number = feature.numbers.find(column); number != feature.numbers.end()) return number->second;
     const auto text = feature.texts.find(column);
     return text == feature.texts.end() ? std::nullopt : number_from_text(trimmed(text->second));
@@ -41,7 +41,7 @@ std::optional<double> number_in(const PolygonFeature& feature, const std::string
 /// Why no feature has a number in a column: one problem for the whole layer.
 Problem missing_column(const gis::PolygonLayer& layer, const std::string& column, const Place& where) {
     const bool is_text = std::any_of(layer.features.begin(), layer.features.end(),
-                                     [&](const PolygonFeature& f) { return f.texts.count(column) > 0; });
+                                     [&](const Feature& f) { return f.texts.count(column) > 0; });
     const std::string known = numeric_columns(layer);
     const std::string remedy =
         known.empty() ? "Give the layer a numeric attribute" : "Name one of its numeric attributes, or fill the column";
@@ -84,11 +84,11 @@ bool within_limits(const SceneReading& reading, const std::string& key, double v
 std::optional<double> value_of(const SceneReading& reading, const std::string& key, const SourceSpec& source,
                                const gis::PolygonLayer& layer, std::size_t feature, Problems& problems) {
     if (source.kind == SourceSpec::Kind::number) return source.number;
-    const PolygonFeature& from = layer.features[feature];
+    const Feature& from = layer.features[feature];
     const std::optional<double> found = number_in(from, source.name);
     if (!found) {
         // Told once for the layer, not for each feature.
-        const auto lacks = [&](const PolygonFeature& f) { return !number_in(f, source.name); };
+        const auto lacks = [&](const Feature& f) { return !number_in(f, source.name); };
         const auto first = std::find_if(layer.features.begin(), layer.features.end(), lacks) - layer.features.begin();
         if (first != static_cast<std::ptrdiff_t>(feature)) return std::nullopt;
         const auto lacking = std::count_if(layer.features.begin(), layer.features.end(), lacks);

@@ -33,11 +33,11 @@ Raster unread(const GridSpec& grid, CellValues::Source source) {
 
 }  // namespace
 
-Raster polygon_values_on_demand(const GridSpec& grid, const std::vector<PolygonFeature>& features,
+Raster polygon_values_on_demand(const GridSpec& grid, const std::vector<Feature>& features,
                                 const std::vector<std::optional<double>>& values) {
     const auto zones = std::make_shared<std::vector<Zone>>();  // shared by the raster's copies
     for (std::size_t f = 0; f < features.size(); ++f)
-        if (values[f]) zones->push_back({features[f].parts, bounds(features[f].parts), *values[f]});
+        if (values[f]) zones->push_back({features[f].shape.areas, bounds(features[f].shape.areas), *values[f]});
     return unread(grid, [grid, zones](const CellWindow& window, double* cells) {
         const GridSpec part = part_of(grid, window);
         std::fill_n(cells, window.rows * window.columns, k_no_data);

@@ -40,7 +40,7 @@ Raster positive_values_on_demand(const SceneReading& reading, const TerrainInput
 /// A value of the material on a large working grid, of which nothing exists until a cell is asked for: that of each
 /// polygon in the cells whose centre is inside, the later one where two overlap; NaN elsewhere. `values` has one for
 /// each of the features, or none.
-Raster polygon_values_on_demand(const GridSpec& grid, const std::vector<PolygonFeature>& features,
+Raster polygon_values_on_demand(const GridSpec& grid, const std::vector<Feature>& features,
                                 const std::vector<std::optional<double>>& values);
 
 /// The same from a raster of any kind. `convert` makes a value out of what the file has, or throws; not called for NaN.

@@ -54,7 +54,7 @@ std::optional<gis::PolygonLayer> read_layer(const SceneReading& reading, const s
 /// Sets every cell of a feature to at least `value`; logs how much larger the footprint became if it is thin.
 void stamp(const gis::PolygonLayer& layer, std::size_t feature, double value, const std::string& key, Raster& raster,
            CountedTexts& warnings, Problems& problems, const Place& where) {
-    const MultiPolygon& parts = layer.features[feature].parts;
+    const MultiPolygon& parts = layer.features[feature].shape.areas;
     std::int64_t cells = 0;
     gis::visit_cells(parts, raster.grid, gis::Cover::closed, [&](std::int64_t row, std::int64_t column) {
         ++cells;

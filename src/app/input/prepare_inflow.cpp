@@ -13,7 +13,7 @@
 #include "core/text.h"
 #include "core/words/words.h"
 #include "gis/access/table_in.h"
-#include "gis/vector/features_in.h"
+#include "gis/vector/vector_in.h"
 #include "params/grammar/ini_file.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/plausible.h"
@@ -146,7 +146,7 @@ std::vector<Row> rows_of(const gis::Table& table, const Columns& columns, const 
 }
 
 /// The scene's own, or the one named in the line's column. Throws Error(input).
-std::string hydrograph_file(const SceneReading& reading, const gis::Feature& feature, std::size_t number) {
+std::string hydrograph_file(const SceneReading& reading, const Feature& feature, std::size_t number) {
     const std::string& given = *reading.scene.inflow.hydrograph;
     const std::string k_attribute = "attribute:";
     if (given.rfind(k_attribute, 0) != 0) return given;
@@ -291,7 +291,7 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
             return;
         }
         for (std::size_t i = 0; i < layer.features.size(); ++i) {
-            const gis::Feature& feature = layer.features[i];
+            const Feature& feature = layer.features[i];
             Inflow inflow;
             inflow.line = feature.shape.lines.front();
             std::string hydrograph;

@@ -26,7 +26,7 @@ namespace frana::app {
 namespace {
 
 /// The text or number of the first of these attributes that a polygon has, in any case; empty without one.
-std::string attribute_of(const PolygonFeature& feature, const std::vector<std::string>& wanted) {
+std::string attribute_of(const Feature& feature, const std::vector<std::string>& wanted) {
     const auto lower = [](std::string word) {
         for (char& c : word)
             if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -42,7 +42,7 @@ std::string attribute_of(const PolygonFeature& feature, const std::vector<std::s
 }
 
 /// The name of a polygon in the user's file with its id in brackets, or what it has of both; empty without either.
-std::string own_name(const PolygonFeature& feature) {
+std::string own_name(const Feature& feature) {
     const std::string name = attribute_of(feature, {"name", "label"}), id = attribute_of(feature, {"id"});
     if (name.empty() || id.empty() || name == id) return name.empty() ? id : name;
     return name + " (" + id + ")";
@@ -101,7 +101,7 @@ double common_factor(const std::vector<FittedSurface>& surfaces, const gis::Poly
     const auto total = [&](double factor) {
         double sum = 0;
         for (std::size_t i = 0; i < surfaces.size(); ++i)
-            sum += surfaces[i].surface().volume(factor * std::sqrt(area(layer.features[i].parts)));
+            sum += surfaces[i].surface().volume(factor * std::sqrt(area(layer.features[i].shape.areas)));
         return sum;
     };
     double low = 0, high = 1e-3;
@@ -140,7 +140,7 @@ std::vector<ReleaseArea> areas_by_feature(const SceneReading& reading, const gis
     std::vector<ReleaseArea> areas;
     for (std::size_t i = 0; i < layer.features.size(); ++i) {
         ReleaseArea area;
-        area.outline = layer.features[i].parts;
+        area.outline = layer.features[i].shape.areas;
         area.thickness = spec.metres;
         if (spec.kind != nullptr) {
             const SourceSpec source{SourceSpec::Kind::attribute, 0, spec.names.front()};
@@ -168,7 +168,7 @@ std::vector<ReleaseArea> areas_to_level(const SceneReading& reading, const gis::
         const auto level = value_of(reading, "release.level", *reading.scene.release.level, layer, i, problems);
         if (!level) continue;
         ReleaseArea area;
-        area.outline = layer.features[i].parts;
+        area.outline = layer.features[i].shape.areas;
         area.level = *level;
         area.thickness_raster = Raster(ground.grid);
         gis::visit_cells(area.outline, ground.grid, gis::Cover::closed, [&](std::int64_t row, std::int64_t column) {
@@ -185,8 +185,8 @@ bool overlap(const gis::PolygonLayer& layer, const GridSpec& grid) {
     if (layer.features.size() < 2) return false;
     Raster times(grid);
     bool shared = false;
-    for (const PolygonFeature& feature : layer.features)
-        gis::visit_cells(feature.parts, grid, gis::Cover::centres, [&](std::int64_t row, std::int64_t column) {
+    for (const Feature& feature : layer.features)
+        gis::visit_cells(feature.shape.areas, grid, gis::Cover::centres, [&](std::int64_t row, std::int64_t column) {
             shared = shared || ++times.at(row, column) > 1;
         });
     return shared;
@@ -206,14 +206,14 @@ std::vector<ReleaseArea> areas_of_raster(const SceneReading& reading, const gis:
             return areas;
         }
         ReleaseArea area;
-        for (const PolygonFeature& feature : layer.features)
-            area.outline.insert(area.outline.end(), feature.parts.begin(), feature.parts.end());
+        for (const Feature& feature : layer.features)
+            area.outline.insert(area.outline.end(), feature.shape.areas.begin(), feature.shape.areas.end());
         areas.push_back(std::move(area));
         set_details(reading, nullptr, 0, areas.back(), problems);
     } else {
         for (std::size_t i = 0; i < layer.features.size(); ++i) {
             ReleaseArea area;
-            area.outline = layer.features[i].parts;
+            area.outline = layer.features[i].shape.areas;
             set_details(reading, &layer, i, area, problems);
             areas.push_back(std::move(area));
         }
@@ -232,7 +232,7 @@ std::vector<ReleaseArea> areas_above_slip_surfaces(const SceneReading& reading, 
     std::vector<FittedSurface> surfaces;
     for (std::size_t i = 0; i < layer.features.size(); ++i) {
         try {
-            surfaces.emplace_back(ground, layer.features[i].parts);
+            surfaces.emplace_back(ground, layer.features[i].shape.areas);
         } catch (const Error& error) {
             Problem problem = error.problems().front();
             problem.what = feature_name(layer, i) + ": " + problem.what;
@@ -245,7 +245,7 @@ std::vector<ReleaseArea> areas_above_slip_surfaces(const SceneReading& reading, 
     const double factor = shared ? common_factor(surfaces, layer, spec.volume->number) : 0;
     for (std::size_t i = 0; i < layer.features.size(); ++i) {
         ReleaseArea area;
-        area.outline = layer.features[i].parts;
+        area.outline = layer.features[i].shape.areas;
         set_details(reading, &layer, i, area, problems);
         std::optional<double> depth;
         if (spec.slip_depth) depth = value_of(reading, "release.slip-depth", *spec.slip_depth, layer, i, problems);

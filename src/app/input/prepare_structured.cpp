@@ -118,7 +118,7 @@ void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const Gri
     for (std::size_t f = 0; f < layer.features.size(); ++f) {
         const auto value = value_of(reading, property.key, **property.source, layer, f, problems);
         if (!value) return;
-        gis::visit_cells(layer.features[f].parts, grid, gis::Cover::closed,
+        gis::visit_cells(layer.features[f].shape.areas, grid, gis::Cover::closed,
                          [&](std::int64_t row, std::int64_t column) { raster.at(row, column) = *value; });
     }
     if (property.value != nullptr) widen(raster);

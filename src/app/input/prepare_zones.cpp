@@ -145,7 +145,7 @@ void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const Gri
             if (!raster) raster.emplace(grid, k_no_data);
             values.emplace_back(&*raster, quantity.key->stored(*value));
         }
-        gis::visit_cells(layer.features[f].parts, grid, gis::Cover::centres,
+        gis::visit_cells(layer.features[f].shape.areas, grid, gis::Cover::centres,
                          [&](std::int64_t row, std::int64_t column) {
                              ++times[static_cast<std::size_t>(row * grid.columns + column)];
                              for (const auto& [raster, value] : values) raster->at(row, column) = value;

@@ -71,9 +71,10 @@ std::optional<Bounds> Survey::box() const {
     return all;
 }
 
-MultiPolygon parts_of(const std::vector<PolygonFeature>& features) {
+MultiPolygon parts_of(const std::vector<Feature>& features) {
     MultiPolygon all;
-    for (const PolygonFeature& feature : features) all.insert(all.end(), feature.parts.begin(), feature.parts.end());
+    for (const Feature& feature : features)
+        all.insert(all.end(), feature.shape.areas.begin(), feature.shape.areas.end());
     return all;
 }
 

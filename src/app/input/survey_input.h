@@ -10,7 +10,6 @@
 #include "app/text/run_log.h"
 #include "core/error.h"
 #include "gis/raster/raster_in.h"
-#include "gis/vector/features_in.h"
 #include "gis/vector/vector_in.h"
 #include "params/scene/read_scene.h"
 #include "simulation/scene.h"
@@ -43,7 +42,7 @@ void add_surveyed(const std::string& file, const std::string& crs_wkt, const Pla
 UsedFile add_deposit(const std::string& file, const GridSpec& grid, const Place& where, RunLog& log, Survey& survey);
 
 /// Returns the polygons of all features of a layer.
-MultiPolygon parts_of(const std::vector<PolygonFeature>& features);
+MultiPolygon parts_of(const std::vector<Feature>& features);
 
 /// Recordings, comparisons and exposed features of a run besides its release, from the keys output.gauges,
 /// cross-sections, profiles, exposure and scar.front, deposit.

@@ -87,9 +87,12 @@ UsedFile used_polygons(const std::string& role, const std::string& path, const g
     UsedFile file = positioned(role, path, layer.crs_wkt, layer.crs_label, layer.own_bounds, layer.transform);
     file.layer = layer.layer_name;
     double area_m2 = 0;
-    for (const PolygonFeature& feature : layer.features) area_m2 += area(feature.parts);
+    file.checksum.add(static_cast<double>(layer.features.size()));
+    for (const Feature& feature : layer.features) {
+        area_m2 += area(feature.shape.areas);
+        file.checksum.add_all(feature.shape.areas, feature.numbers);  // texts are remarks
+    }
     file.content = counted(layer.features.size(), worded("polygons: {1}")) + "\n" + grouped(area_m2) + " m2";
-    file.checksum.add(layer.features);
     return file;
 }
 

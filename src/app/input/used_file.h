@@ -15,7 +15,6 @@
 #include "core/raster.h"
 #include "gis/crs/crs_transform.h"
 #include "gis/raster/raster_in.h"
-#include "gis/vector/features_in.h"
 #include "gis/vector/vector_in.h"
 #include "simulation/scene.h"
 
@@ -47,8 +46,7 @@ class Checksum {
         });
     }
     void add(const Polygon& polygon) { add_all(polygon.outer, polygon.holes); }
-    void add(const PolygonFeature& feature) { add_all(feature.parts, feature.numbers); }
-    void add(const gis::Feature& feature) {
+    void add(const Feature& feature) {
         add_all(feature.name, feature.count.value_or(-1), feature.shape.areas, feature.shape.lines,
                 feature.shape.points, feature.numbers, feature.texts);
     }

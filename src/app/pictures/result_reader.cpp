@@ -23,7 +23,6 @@
 #include "core/words/words.h"
 #include "gis/crs/crs.h"
 #include "gis/raster/raster_in.h"
-#include "gis/vector/features_in.h"
 #include "gis/vector/vector_in.h"
 #include "params/grammar/ini_file.h"
 #include "params/grammar/value_text.h"
@@ -37,13 +36,13 @@ namespace frana::app {
 namespace {
 
 /// The features of all layers of the file.
-std::vector<gis::Feature> features_of(const std::string& gpkg, const std::string& crs_wkt) {
-    std::vector<gis::Feature> all;
+std::vector<Feature> features_of(const std::string& gpkg, const std::string& crs_wkt) {
+    std::vector<Feature> all;
     const std::set<std::string> filled = gis::filled_layers(gpkg, "RESULT_DIR");
     for (const VectorLayer& row : vector_layers()) {
         if (row.file != k_exposure_file || filled.count(row.name) == 0) continue;
         gis::FeatureLayer layer = gis::read_features(gpkg + "|layer=" + row.name, crs_wkt, "RESULT_DIR", "", "");
-        for (gis::Feature& one : layer.features) all.push_back(std::move(one));
+        for (Feature& one : layer.features) all.push_back(std::move(one));
     }
     return all;
 }
@@ -51,7 +50,7 @@ std::vector<gis::Feature> features_of(const std::string& gpkg, const std::string
 /// Whether a feature is reached by what a raster shows: 1, 0, NaN: nobody knows. A map of an event's rate marks where
 /// it happens. A map of what is exceeded once in T years marks what is reached as often, that of a scenario what the
 /// scenario reaches.
-double reached_on(const std::string& raster, const gis::Feature& feature) {
+double reached_on(const std::string& raster, const Feature& feature) {
     const auto number = [&](const std::string& name) {
         const auto found = feature.numbers.find(name);
         return found == feature.numbers.end() ? k_no_data : found->second;
@@ -79,14 +78,14 @@ void add(const MixedShape& shape, render::Outline& outline) {
 /// Returns the exposed features of a result for its maps: those that are reached, those that are not, and those of
 /// which the map says nothing, each kind with its number; the reached ones uppermost.
 /// @param raster that the map shows
-std::vector<render::Outline> exposure_marks(const std::vector<gis::Feature>& features, const std::string& raster,
+std::vector<render::Outline> exposure_marks(const std::vector<Feature>& features, const std::string& raster,
                                             const Words& words) {
     std::vector<render::Outline> marks;
     const std::vector<ExposureLook>& looks = exposure_looks();
     for (auto look = looks.rbegin(); look != looks.rend(); ++look) {
         render::Outline outline{"", {}, look->colour, look->width_px, look->dashed};
         std::size_t count = 0;
-        for (const gis::Feature& one : features) {
+        for (const Feature& one : features) {
             const double reached = reached_on(raster, one);
             if (one.shape.empty() || !(reached == look->reached || (std::isnan(reached) && std::isnan(look->reached))))
                 continue;
@@ -306,8 +305,8 @@ MultiPolygon ResultReader::outline(const std::string& layer, const std::string& 
     const char* const name = has_layer(k_comparison_outline, layer) ? k_comparison_outline : k_outlines_file;
     const std::string file = path(name);
     if (!has_layer(name, layer)) return all;
-    for (const PolygonFeature& feature : gis::read_polygons(file + "|layer=" + layer, crs_wkt, "RESULT_DIR").features)
-        all.insert(all.end(), feature.parts.begin(), feature.parts.end());
+    for (const Feature& feature : gis::read_polygons(file + "|layer=" + layer, crs_wkt, "RESULT_DIR").features)
+        all.insert(all.end(), feature.shape.areas.begin(), feature.shape.areas.end());
     return all;
 }
 
@@ -462,8 +461,8 @@ std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) con
         if (!file) return;
         attempt([&] {
             render::Outline outline{words_(label), {}, colour, 1.8, is_dashed};
-            for (const PolygonFeature& one : gis::read_polygons(*file, crs_wkt, key).features)
-                outline.polygons.insert(outline.polygons.end(), one.parts.begin(), one.parts.end());
+            for (const Feature& one : gis::read_polygons(*file, crs_wkt, key).features)
+                outline.polygons.insert(outline.polygons.end(), one.shape.areas.begin(), one.shape.areas.end());
             all.push_back(std::move(outline));
         });
     };
@@ -479,7 +478,7 @@ std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) con
     if (const auto file = scene_value("output.map-context"))
         attempt([&] {
             render::Outline outline{words_("Surroundings"), {}, k_context, 1.4, false};
-            for (const gis::Feature& one : gis::read_features(*file, crs_wkt, "output.map-context", "", "").features)
+            for (const Feature& one : gis::read_features(*file, crs_wkt, "output.map-context", "", "").features)
                 add(one.shape, outline);
             all.push_back(std::move(outline));
         });

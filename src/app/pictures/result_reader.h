@@ -13,7 +13,7 @@
 #include "app/store/frame_store.h"
 #include "app/store/result_files.h"
 #include "core/grid_spec.h"
-#include "gis/vector/features_in.h"
+#include "gis/vector/vector_in.h"
 #include "params/grammar/ini_file.h"
 #include "params/keys/result_rasters.h"
 #include "render/map/map2d.h"
@@ -129,14 +129,14 @@ class ResultReader {
         std::filesystem::file_time_type time;
         std::set<std::string> filled;
     };
-    mutable std::map<std::string, Layers> layers_;              ///< by file, read once: opening a GeoPackage takes long
-    mutable std::optional<std::vector<IniEntry>> scene_;        ///< likewise
-    mutable std::optional<std::string> crs_;                    ///< of its rasters in memory, likewise
-    mutable std::optional<GridSpec> grid_;                      ///< likewise
-    mutable std::vector<double> depth_classes_;                 ///< likewise
-    mutable std::vector<StoredFrame> frames_;                   ///< likewise
-    mutable std::map<std::string, MapLayer> greatest_;          ///< likewise
-    mutable std::optional<std::vector<gis::Feature>> exposed_;  ///< likewise
+    mutable std::map<std::string, Layers> layers_;         ///< by file, read once: opening a GeoPackage takes long
+    mutable std::optional<std::vector<IniEntry>> scene_;   ///< likewise
+    mutable std::optional<std::string> crs_;               ///< of its rasters in memory, likewise
+    mutable std::optional<GridSpec> grid_;                 ///< likewise
+    mutable std::vector<double> depth_classes_;            ///< likewise
+    mutable std::vector<StoredFrame> frames_;              ///< likewise
+    mutable std::map<std::string, MapLayer> greatest_;     ///< likewise
+    mutable std::optional<std::vector<Feature>> exposed_;  ///< likewise
 };
 
 }  // namespace frana::app

@@ -160,7 +160,7 @@ std::vector<std::string> ResultReader::release_names(const std::string& crs_wkt)
     if (!has_layer(k_outlines_file, "release")) return {};
     std::vector<std::string> names;
     bool named = false;  // else these are the areas' numbers
-    for (const PolygonFeature& one : gis::read_polygons(file + "|layer=release", crs_wkt, "RESULT_DIR").features) {
+    for (const Feature& one : gis::read_polygons(file + "|layer=release", crs_wkt, "RESULT_DIR").features) {
         const auto name = one.texts.find("name");
         if (name == one.texts.end()) return {};
         names.push_back(name->second);

@@ -25,7 +25,7 @@
 #include "gis/raster/raster_in.h"
 #include "gis/raster/raster_out.h"
 #include "gis/raster/styles.h"
-#include "gis/vector/features_in.h"
+#include "gis/vector/vector_in.h"
 #include "params/keys/result_rasters.h"
 
 namespace frana::app {
@@ -316,7 +316,7 @@ class MapPage {
         return found;
     }
     /// Attributes that frana titles, those of the user, each by name. What a file needs for itself is not among them.
-    [[nodiscard]] Json rows_of(const gis::Feature& feature, const gis::AttributeTitles& titles) const {
+    [[nodiscard]] Json rows_of(const Feature& feature, const gis::AttributeTitles& titles) const {
         std::vector<std::pair<std::string, std::string>> known, own;
         const auto add = [&](const std::string& column, const std::string& text) {
             const bool is_named =
@@ -339,7 +339,7 @@ class MapPage {
         }
         return rows;
     }
-    [[nodiscard]] Json feature_json(const gis::Feature& feature, const gis::AttributeTitles& titles) const {
+    [[nodiscard]] Json feature_json(const Feature& feature, const gis::AttributeTitles& titles) const {
         Json json{{"rows", rows_of(feature, titles)}};
         if (const auto reached = feature.numbers.find(k_reached); reached != feature.numbers.end())
             for (const ExposureLook& one : exposure_looks())
@@ -396,7 +396,7 @@ class MapPage {
             if (row.name == "members" || row.name == "stations" || !result_.has_layer(row.file, row.name)) continue;
             const std::string file = result_.path(row.file) + "|layer=" + row.name;
             Json features = Json::array();
-            for (const gis::Feature& feature : gis::read_features(file, "", row.file, "", "").features)
+            for (const Feature& feature : gis::read_features(file, "", row.file, "", "").features)
                 if (!feature.shape.empty()) features.push_back(feature_json(feature, titles));
             if (!all.empty() && all.back()["title"] == layer_title(row, words_)) {  // points, lines and areas are one
                 for (Json& feature : features) all.back()["features"].push_back(std::move(feature));

@@ -97,7 +97,7 @@ std::optional<CellWindow> reached_window(const Prepared& prepared, const RunResu
     for (const NamedRaster& raster : result.rasters)
         if (find_result_raster(raster.name)->is_drawn()) box.include(raster.values);
     if (prepared.scar) {
-        for (const PolygonFeature& feature : prepared.scar->features) box.include(grid, bounds(feature.parts));
+        for (const Feature& feature : prepared.scar->features) box.include(grid, bounds(feature.shape.areas));
     }
     if (box.empty()) return std::nullopt;
     box.widen(grid);

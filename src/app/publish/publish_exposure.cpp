@@ -49,7 +49,7 @@ std::string damage_text(const Damage& damage, const Words& words) {
 std::vector<std::vector<std::size_t>> exposed_cells(const gis::FeatureLayer& layer, const GridSpec& grid) {
     std::vector<std::vector<std::size_t>> all;
     all.reserve(layer.features.size());
-    for (const gis::Feature& feature : layer.features) all.push_back(touched_cells(feature.shape, grid));
+    for (const Feature& feature : layer.features) all.push_back(touched_cells(feature.shape, grid));
     return all;
 }
 
@@ -100,11 +100,11 @@ ExposureTotals write_exposure(const gis::FeatureLayer& layer, const std::vector<
     for (const auto& [name, value] : rows.front().numbers) head += "," + csv_cell(name);
     for (const auto& [name, value] : layer.features.front().numbers) head += "," + csv_cell(renamed(name, taken));
     for (const auto& [name, value] : layer.features.front().texts) head += "," + csv_cell(renamed(name, taken));
-    std::vector<gis::Feature> written;
+    std::vector<Feature> written;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const gis::Feature& from = layer.features[i];
+        const Feature& from = layer.features[i];
         const ExposureRow& row = rows[i];
-        gis::Feature& to = written.emplace_back();
+        Feature& to = written.emplace_back();
         to.shape = from.shape;
         const double count = from.count.value_or(1);
         ++totals.features;

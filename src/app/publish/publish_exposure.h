@@ -9,7 +9,7 @@
 #include "app/store/result_directory.h"
 #include "core/raster.h"
 #include "core/words/words.h"
-#include "gis/vector/features_in.h"
+#include "gis/vector/vector_in.h"
 
 namespace frana::app {
 

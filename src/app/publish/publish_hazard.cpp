@@ -70,8 +70,8 @@ std::map<std::string, std::string> attributes_of(const HazardClass& kind, const 
             {"source", in(map.source)}};
 }
 
-gis::OutlineLayer class_layer(const std::string& name, const ClassMap& map, const Words& words) {
-    gis::OutlineLayer layer{name, {}};
+gis::ShapeLayer class_layer(const std::string& name, const ClassMap& map, const Words& words) {
+    gis::ShapeLayer layer{name, {}};
     layer.style = gis::titled(gis::polygon_style(name, titled(map, words), "class", stops_of(map, words)),
                               titled(map, words), attribute_titles(words));
     return layer;
@@ -99,7 +99,7 @@ std::vector<gis::Zone> generalised_zones(const Raster& classes, const ClassMap& 
         areas[k].zones_m2 = area(zones[k]);
         for (const Polygon& part : zones[k]) {
             gis::Zone& zone = all.emplace_back(gis::Zone{{}, words(kind.name), kind.colour});
-            zone.feature.parts = {part};
+            zone.feature.shape.areas = {part};
             zone.feature.texts = attributes_of(kind, map, &words);
             zone.feature.numbers = {
                 {"class", kind.value}, {"cells_m2", areas[k].area_m2}, {"zones_m2", areas[k].zones_m2}};
@@ -112,13 +112,13 @@ std::vector<HazardArea> write_zones(const Raster& classes, const ClassMap& map, 
                                     bool is_lower_bound, const SceneSpec& spec, const ResultDirectory& directory) {
     const Words words = words_of(spec);
     const std::string path = directory.path(file), stem = std::filesystem::path(file).stem().string();
-    gis::OutlineLayer own = class_layer(stem, map, words), drawn = class_layer(k_generalised_layer, map, words);
+    gis::ShapeLayer own = class_layer(stem, map, words), drawn = class_layer(k_generalised_layer, map, words);
     std::vector<HazardArea> areas;
     for (const HazardClass& kind : map.classes) {
-        PolygonFeature feature;
-        feature.parts = gis::polygonise(mask_of(classes, kind.value));
-        areas.push_back({kind, area(feature.parts)});
-        if (feature.parts.empty()) continue;
+        Feature feature;
+        feature.shape.areas = gis::polygonise(mask_of(classes, kind.value));
+        areas.push_back({kind, area(feature.shape.areas)});
+        if (feature.shape.areas.empty()) continue;
         feature.numbers["class"] = kind.value;
         if (is_lower_bound) feature.numbers[k_lower_bound_column] = 1;
         feature.texts = attributes_of(kind, map, nullptr);
@@ -129,7 +129,7 @@ std::vector<HazardArea> write_zones(const Raster& classes, const ClassMap& map, 
         if (is_lower_bound) zone.feature.numbers[k_lower_bound_column] = 1;
         drawn.features.push_back(zone.feature);
     }
-    gis::write_outlines(path, classes.grid.crs_wkt, {own, drawn});
+    gis::write_shapes(path, classes.grid.crs_wkt, {own, drawn});
     gis::write_style(path, own.style);
     for (const char* format : k_zone_formats)
         if (has_format(spec.output, format))

@@ -38,16 +38,15 @@ void write(const ResultDirectory& directory, const ResultRaster& row, const Rast
         gis::write_style(file, gis::relief_style(row.name, words(row.title)));
 }
 
-PolygonFeature feature(MultiPolygon parts, double threshold) {
-    PolygonFeature result;
-    result.parts = std::move(parts);
+Feature feature(MultiPolygon parts, double threshold) {
+    Feature result;
+    result.shape.areas = std::move(parts);
     if (threshold > 0) result.numbers["threshold_m"] = threshold;
     return result;
 }
 
 /// The mean thickness of a released area in both directions.
-void add_thickness(const ReleaseArea& area, const ReleasedArea& released, const RunResult& result,
-                   PolygonFeature& outline) {
+void add_thickness(const ReleaseArea& area, const ReleasedArea& released, const RunResult& result, Feature& outline) {
     if (!(released.area > 0)) return;
     const double vertical = released.volume / released.area;
     double normal = area.thickness * released.scaled;
@@ -66,12 +65,12 @@ void add_thickness(const ReleaseArea& area, const ReleasedArea& released, const 
 }
 
 /// Returns one layer with one feature, or an empty layer if there is no area to outline.
-gis::OutlineLayer outline(const std::string& name, const Raster& depth, double threshold, const RunResult& result,
-                          const Runout& run_out) {
+gis::ShapeLayer outline(const std::string& name, const Raster& depth, double threshold, const RunResult& result,
+                        const Runout& run_out) {
     const Raster mask = trace_mask(depth, threshold);
     MultiPolygon parts = gis::polygonise(mask);
     if (parts.empty()) return {name, {}};
-    PolygonFeature area = feature(std::move(parts), threshold);
+    Feature area = feature(std::move(parts), threshold);
     const Raster vertical = result.depth_is_normal ? vertical_depth(depth, result.raster(RasterName::bed)) : depth;
     double volume = 0;
     mask.values.for_each_stored([&](std::size_t cell, double inside) {
@@ -89,8 +88,8 @@ gis::OutlineLayer outline(const std::string& name, const Raster& depth, double t
 
 }  // namespace
 
-PolygonFeature release_outline(const ReleaseArea& area, std::size_t index) {
-    PolygonFeature outline = feature(area.outline, 0);
+Feature release_outline(const ReleaseArea& area, std::size_t index) {
+    Feature outline = feature(area.outline, 0);
     outline.texts["name"] = area.name.empty() ? std::to_string(index + 1) : area.name;
     return outline;
 }
@@ -137,24 +136,23 @@ void publish_dtm(const Prepared& prepared, const ResultDirectory& directory,
 void publish_ground(const Prepared& prepared, const ResultDirectory& directory,
                     const std::map<std::string, std::string>& friction_items) {
     publish_dtm(prepared, directory, friction_items);
-    gis::OutlineLayer release{"release", {}};
+    gis::ShapeLayer release{"release", {}};
     for (std::size_t i = 0; i < prepared.scene.release.size(); ++i)
         release.features.push_back(release_outline(prepared.scene.release[i], i));
-    std::vector<gis::OutlineLayer> layers{std::move(release)};
+    std::vector<gis::ShapeLayer> layers{std::move(release)};
     if (prepared.scar) layers.push_back({"scar", prepared.scar->features});
-    write_result_outlines(directory.path(k_outlines_file), prepared.scene.grid.crs_wkt, layers,
-                          words_of(prepared.spec));
+    write_result_shapes(directory.path(k_outlines_file), prepared.scene.grid.crs_wkt, layers, words_of(prepared.spec));
     write_text_file(directory.path(k_scene_file), echoed_scene(prepared));
     write_text_file(directory.path(k_inputs_file), recorded_inputs(prepared));
 }
 
 void publish_outlines(const Prepared& prepared, const RunResult& result, const SeparateFlows& flows,
                       const Runout& run_out, const ResultDirectory& directory) {
-    std::vector<gis::OutlineLayer> layers{{"release", {}}};
+    std::vector<gis::ShapeLayer> layers{{"release", {}}};
     for (std::size_t i = 0; i < prepared.scene.release.size(); ++i) {
         const ReleaseArea& area = prepared.scene.release[i];
         const ReleasedArea& released = result.released[i];
-        PolygonFeature release = release_outline(area, i);
+        Feature release = release_outline(area, i);
         add_thickness(area, released, result, release);
         release.numbers["volume_m3"] = released.volume;
         release.numbers["start_s"] = released.start;
@@ -166,7 +164,7 @@ void publish_outlines(const Prepared& prepared, const RunResult& result, const S
     layers.push_back(
         outline("deposit", result.raster(RasterName::final_depth), threshold, result,
                 runouts(flows, result.raster(RasterName::bed), result.raster("release"), deposit).front()));
-    for (PolygonFeature& trace : layers[1].features) {
+    for (Feature& trace : layers[1].features) {
         // The volume over the trace is that released; depths at different times do not add up.
         trace.numbers["volume_m3"] = result.volume_initial;
         const PeakValues speed = high_values(result.raster(RasterName::max_velocity),
@@ -176,10 +174,9 @@ void publish_outlines(const Prepared& prepared, const RunResult& result, const S
     }
     if (is_open(result, prepared.scene))
         for (const std::size_t layer : {1, 2})
-            for (PolygonFeature& reached : layers[layer].features) reached.numbers[k_lower_bound_column] = 1;
+            for (Feature& reached : layers[layer].features) reached.numbers[k_lower_bound_column] = 1;
     if (prepared.scar) layers.push_back({"scar", prepared.scar->features});
-    write_result_outlines(directory.path(k_outlines_file), prepared.scene.grid.crs_wkt, layers,
-                          words_of(prepared.spec));
+    write_result_shapes(directory.path(k_outlines_file), prepared.scene.grid.crs_wkt, layers, words_of(prepared.spec));
 }
 
 }  // namespace frana::app

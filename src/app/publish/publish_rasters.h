@@ -18,7 +18,7 @@ void publish_dtm(const Prepared& prepared, const ResultDirectory& directory,
                  const std::map<std::string, std::string>& friction_items = {});
 
 /// The outline of an area with the name of its polygon, else its number, in a result's layer `release`.
-PolygonFeature release_outline(const ReleaseArea& area, std::size_t index);
+Feature release_outline(const ReleaseArea& area, std::size_t index);
 
 /// Writes what is known before a run: what publish_dtm does, scene.ini, and in extent.gpkg release and scar. Throws
 /// Error(environment).

@@ -97,19 +97,19 @@ void publish_series(const Prepared& prepared, const RunResult& result, const Res
     if (!recording.sections.empty())
         write_text_file(directory.path(k_section_table), sections_csv(result.sections, recording.sections));
     if (recording.gauges.empty() && recording.sections.empty()) return;
-    gis::ShapeLayer lines{"sections", gis::Shape::line, {}}, points{"gauges", gis::Shape::point, {}};
+    gis::ShapeLayer lines{"sections", {}, gis::Shape::line}, points{"gauges", {}, gis::Shape::point};
     for (const CrossSection& section : recording.sections)
         lines.features.push_back({{{}, {section.line}, {}}, {}, {{"name", section.name}}});
     for (const Gauge& gauge : recording.gauges)
         points.features.push_back({{{}, {}, {gauge.place}}, {}, {{"name", gauge.name}}});
-    write_result_lines_and_points(directory.path(k_gauge_places), prepared.scene.grid.crs_wkt, {lines, points},
-                                  words_of(prepared.spec));
+    write_result_shapes(directory.path(k_gauge_places), prepared.scene.grid.crs_wkt, {lines, points},
+                        words_of(prepared.spec));
 }
 
 void publish_profiles(const Prepared& prepared, const RunResult& result, const Runout& run_out,
                       const ResultDirectory& directory) {
     const std::vector<Column> columns = columns_of(result);
-    gis::ShapeLayer lines{"lines", gis::Shape::line, {}}, points{"stations", gis::Shape::point, {}};
+    gis::ShapeLayer lines{"lines", {}, gis::Shape::line}, points{"stations", {}, gis::Shape::point};
     // Of max_depth and final_depth; what was released is vertical.
     const std::string direction = result.depth_is_normal ? k_normal : k_vertical;
     std::string text = "line,distance_m,x,y";
@@ -118,9 +118,9 @@ void publish_profiles(const Prepared& prepared, const RunResult& result, const R
     for (const gis::NamedLine& line : profile_lines(prepared, result, run_out)) {
         lines.features.push_back({{{}, {line.line}, {}}, {}, {{"name", line.name}}});
         for (const Station& station : stations(line.line, prepared.scene.grid.cell_size)) {
-            gis::Feature point{{{}, {}, {station.place}},
-                               {{"distance_m", station.distance}},
-                               {{"name", line.name}, {"depth_direction", direction}}};
+            Feature point{{{}, {}, {station.place}},
+                          {{"distance_m", station.distance}},
+                          {{"name", line.name}, {"depth_direction", direction}}};
             text += csv_cell(line.name);
             add_numbers(text, {station.distance, station.place.x, station.place.y});
             for (const Column& column : columns) {
@@ -133,8 +133,8 @@ void publish_profiles(const Prepared& prepared, const RunResult& result, const R
         }
     }
     write_text_file(directory.path(k_profile_table), text);
-    write_result_lines_and_points(directory.path(k_profile_lines), prepared.scene.grid.crs_wkt, {lines, points},
-                                  words_of(prepared.spec));
+    write_result_shapes(directory.path(k_profile_lines), prepared.scene.grid.crs_wkt, {lines, points},
+                        words_of(prepared.spec));
 }
 
 }  // namespace frana::app

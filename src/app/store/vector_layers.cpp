@@ -132,15 +132,6 @@ constexpr Attribute k_attributes[] = {
     {"degree_source", worded("Source")},
 };
 
-/// Gives a layer of a file the style of its row.
-template <class Layer>
-void set_style(const std::string& gpkg_path, Layer& layer, const Words& words) {
-    if (!layer.style.qml.empty()) return;
-    const std::string file = std::filesystem::path(gpkg_path).filename().string();
-    for (const VectorLayer& row : vector_layers())
-        if (row.file == file && row.name == layer.name) layer.style = style_in(row, words);
-}
-
 }  // namespace
 
 const std::vector<ExposureLook>& exposure_looks() {
@@ -212,16 +203,14 @@ gis::StyleText style_in(const VectorLayer& row, const Words& words) {
     return gis::titled(row.style(words), layer_title(row, words), attribute_titles(words));
 }
 
-void write_result_outlines(const std::string& gpkg_path, const std::string& crs_wkt,
-                           std::vector<gis::OutlineLayer> layers, const Words& words) {
-    for (gis::OutlineLayer& layer : layers) set_style(gpkg_path, layer, words);
-    gis::write_outlines(gpkg_path, crs_wkt, layers);
-}
-
-void write_result_lines_and_points(const std::string& gpkg_path, const std::string& crs_wkt,
-                                   std::vector<gis::ShapeLayer> layers, const Words& words) {
-    for (gis::ShapeLayer& layer : layers) set_style(gpkg_path, layer, words);
-    gis::write_lines_and_points(gpkg_path, crs_wkt, layers);
+void write_result_shapes(const std::string& gpkg_path, const std::string& crs_wkt, std::vector<gis::ShapeLayer> layers,
+                         const Words& words) {
+    const std::string file = std::filesystem::path(gpkg_path).filename().string();
+    for (gis::ShapeLayer& layer : layers)
+        for (const VectorLayer& row : vector_layers())
+            if (layer.style.qml.empty() && row.file == file && row.name == layer.name)
+                layer.style = style_in(row, words);
+    gis::write_shapes(gpkg_path, crs_wkt, layers);
 }
 
 }  // namespace frana::app

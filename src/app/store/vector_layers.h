@@ -69,10 +69,8 @@ gis::StyleText style_in(const VectorLayer& row, const Words& words);
 gis::AttributeTitles attribute_titles(const Words& words);
 
 /// Writes a GeoPackage of a result; its layers have the style of their row, unless they have one. Throws as
-/// gis::write_outlines.
-void write_result_outlines(const std::string& gpkg_path, const std::string& crs_wkt,
-                           std::vector<gis::OutlineLayer> layers, const Words& words);
-void write_result_lines_and_points(const std::string& gpkg_path, const std::string& crs_wkt,
-                                   std::vector<gis::ShapeLayer> layers, const Words& words);
+/// gis::write_shapes.
+void write_result_shapes(const std::string& gpkg_path, const std::string& crs_wkt, std::vector<gis::ShapeLayer> layers,
+                         const Words& words);
 
 }  // namespace frana::app

@@ -37,11 +37,11 @@ TEST_F(Release, CellsThatFailBecomeALayerThatARunAndARegionTakeAsItIs) {
     EXPECT_TRUE(std::isnan(factor.at(0, 20)));
     const gis::PolygonLayer areas = layer();
     ASSERT_EQ(areas.features.size(), 1U);
-    const PolygonFeature& one = areas.features.front();
+    const Feature& one = areas.features.front();
     // Columns 1 to 39; the slope of the last, at the foot, is 0.375, that of the next 0.125.
-    EXPECT_EQ(area(one.parts), 39 * 28 * 25);
-    EXPECT_NEAR(one.numbers.at("area_m2"), area(one.parts), 1e-9);
-    EXPECT_NEAR(one.numbers.at("volume_m3"), 1.5 * area(one.parts), 1e-6);
+    EXPECT_EQ(area(one.shape.areas), 39 * 28 * 25);
+    EXPECT_NEAR(one.numbers.at("area_m2"), area(one.shape.areas), 1e-9);
+    EXPECT_NEAR(one.numbers.at("volume_m3"), 1.5 * area(one.shape.areas), 1e-6);
     EXPECT_NEAR(one.numbers.at("thickness_vertical_m"), 1.5, 1e-12);
     EXPECT_NEAR(one.numbers.at("least_factor"), expected, 1e-12);
     EXPECT_NEAR(one.numbers.at("mean_factor"), expected * (38 + 0.5 / 0.375) / 39, 1e-12);
@@ -84,7 +84,7 @@ TEST_F(Release, ValuesByPlace) {
     ASSERT_EQ(frana({"release", "dtm.asc", "--thickness", "raster:soil.asc", "--friction-angle", "20"}).exit_code, 0);
     const gis::PolygonLayer areas = layer();
     ASSERT_EQ(areas.features.size(), 1U);
-    EXPECT_EQ(area(areas.features[0].parts), 19 * 28 * 25);
+    EXPECT_EQ(area(areas.features[0].shape.areas), 19 * 28 * 25);
     EXPECT_NEAR(areas.features[0].numbers.at("volume_m3"), 25 * 19 * (14 * 2 + 14), 1e-6);
     EXPECT_NEAR(areas.features[0].numbers.at("thickness_vertical_m"), 1.5, 1e-12);
     ASSERT_EQ(
@@ -92,7 +92,7 @@ TEST_F(Release, ValuesByPlace) {
             .exit_code,
         0);
     ASSERT_EQ(layer("snow.gpkg").features.size(), 1U);
-    EXPECT_EQ(area(layer("snow.gpkg").features[0].parts), 19 * 28 * 25);
+    EXPECT_EQ(area(layer("snow.gpkg").features[0].shape.areas), 19 * 28 * 25);
 }
 
 TEST_F(Release, PlausibleMistakesAreRefusedWithTheUnit) {

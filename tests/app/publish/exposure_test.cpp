@@ -116,7 +116,7 @@ TEST_F(Exposure, OfARunIsThatOfTheCellsTouched) {
     const gis::PolygonLayer areas = gis::read_polygons(path("out/exposure.gpkg") + "|layer=exposure_areas", "", "test");
     ASSERT_EQ(areas.features.size(), 3U);
     EXPECT_NEAR(areas.features[0].numbers.at("max_depth_m"), number(0, "max_depth_m"), 0);
-    EXPECT_NEAR(area(areas.features[0].parts), 64, 0.1) << "in the working CRS";
+    EXPECT_NEAR(area(areas.features[0].shape.areas), 64, 0.1) << "in the working CRS";
     for (const std::string layer : {"exposure_lines", "exposure_points"})
         EXPECT_EQ(gis::filled_layers(path("out/exposure.gpkg"), "test").count(layer), 1U) << layer;
 }

@@ -520,7 +520,7 @@ TEST_F(Region, PathsTimesScenariosAreTheirEvents) {
         const gis::PolygonLayer zones =
             gis::read_polygons(path("out/" + name + ".gpkg|layer=generalised"), "", "zones");
         EXPECT_FALSE(zones.features.empty()) << name;
-        for (const PolygonFeature& zone : zones.features) EXPECT_GT(zone.numbers.at("cells_m2"), 0);
+        for (const Feature& zone : zones.features) EXPECT_GT(zone.numbers.at("cells_m2"), 0);
         for (const char* ending : {".shp", ".dbf", ".kmz", ".dxf"})
             EXPECT_TRUE(fs::exists(path("out/" + name + ending))) << name << ending;
     }

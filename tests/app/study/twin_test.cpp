@@ -148,8 +148,8 @@ class Twin : public TinyScene {
         const SurveyError error(1000 + twin, noise * k_cell);
         MultiPolygon trace = gis::polygonise(trace_mask(depth, k_trace_threshold));
         if (world.wider != 0) trace = widened(trace, world.wider * k_cell);
-        gis::write_outlines(path("scar.gpkg"), depth.grid.crs_wkt,
-                            {{"scar", {{drawn_by(error, trace, depth.grid), {}, {}}}}});
+        gis::write_shapes(path("scar.gpkg"), depth.grid.crs_wkt,
+                          {{"scar", {{{drawn_by(error, trace, depth.grid), {}, {}}, {}, {}}}}});
         write("study.ini", "[study]\nscene = scene.ini\nscheme = finite-volume\nsamples = " + std::to_string(most) +
                                "\nseed = " + std::to_string(twin) +
                                "\n[objective]\njaccard = 1\n[set]\ntime.end = 15\nobserved.perimeter = scar.gpkg\n"

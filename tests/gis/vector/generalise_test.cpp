@@ -155,12 +155,12 @@ class Exchange : public testing::Test {
         Zone one, two;
         one.name = "Mittlere Intensität";
         one.colour = {65, 158, 90};
-        one.feature.parts = {{square(526000, 5094000, 100), {square(526040, 5094040, 20)}}};
+        one.feature.shape.areas = {{square(526000, 5094000, 100), {square(526040, 5094040, 20)}}};
         one.feature.numbers = {{"class", 2}, {"cells_m2", 9500}};
         one.feature.texts = {{"name", one.name}, {"thresholds", "Tiefe ≤ 1 m"}};
         two = one;
         two.name = "Strenge Gefährdung";
-        two.feature.parts = {{square(526200, 5094000, 50), {}}};
+        two.feature.shape.areas = {{square(526200, 5094000, 50), {}}};
         two.feature.numbers["class"] = 3;
         two.feature.texts["name"] = two.name;
         return {one, two};

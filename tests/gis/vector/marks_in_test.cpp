@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gis/vector/features_in.h"
+#include "gis/vector/vector_in.h"
 
 #include <gtest/gtest.h>
 

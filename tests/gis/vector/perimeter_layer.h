@@ -18,7 +18,7 @@ inline std::string utm() {
 
 inline double total_area(const PolygonLayer& layer) {
     double sum = 0;
-    for (const PolygonFeature& feature : layer.features) sum += area(feature.parts);
+    for (const Feature& feature : layer.features) sum += area(feature.shape.areas);
     return sum;
 }
 

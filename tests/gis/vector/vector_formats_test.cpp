@@ -47,7 +47,7 @@ TEST_P(VectorFormat, IsReadWhereItWasDrawn) {
     ASSERT_EQ(layer.features.size(), 1U);
     for (const Point corner : {Point{529424.272, 5094117.682}, Point{529501.704, 5094118.052}}) {
         double nearest = HUGE_VAL;
-        for (const Point& p : layer.features[0].parts[0].outer)
+        for (const Point& p : layer.features[0].shape.areas[0].outer)
             nearest = std::min(nearest, std::hypot(p.x - corner.x, p.y - corner.y));
         EXPECT_LT(nearest, 0.01) << corner.x;
     }
@@ -246,9 +246,9 @@ TEST(VectorFiles, HolesThatTouchTheOutlineAndMeasuresDoNotMatter) {
                  "100 10,100 0))))"});
     const PolygonLayer layer = read_polygons(folder.file("a.gpkg"), utm(), k_where);
     ASSERT_EQ(layer.features.size(), 2U);
-    EXPECT_EQ(area(layer.features[0].parts), 100 - 8);
+    EXPECT_EQ(area(layer.features[0].shape.areas), 100 - 8);
     // A square and a half disc of radius 5, its arc in pieces of 4 degrees: 0.1 % of the disc is missing.
-    EXPECT_NEAR(area(layer.features[1].parts), 100 + 39.27, 0.1);
+    EXPECT_NEAR(area(layer.features[1].shape.areas), 100 + 39.27, 0.1);
 }
 
 TEST(VectorFiles, AnEdgeAroundTheWholeEarthIsRefused) {

@@ -29,8 +29,8 @@ TEST(ReadPolygons, KeepsHolesPartsAndAttributes) {
                  "MULTIPOLYGON(((200 0,210 0,210 10,200 10,200 0)),((300 0,320 0,320 10,300 10,300 0)))"});
     const PolygonLayer layer = read_polygons(path, utm(), k_where);
     ASSERT_EQ(layer.features.size(), 2U);
-    EXPECT_EQ(layer.features[0].parts[0].holes.size(), 1U);
-    EXPECT_EQ(layer.features[1].parts.size(), 2U);
+    EXPECT_EQ(layer.features[0].shape.areas[0].holes.size(), 1U);
+    EXPECT_EQ(layer.features[1].shape.areas.size(), 2U);
     EXPECT_EQ(layer.features[1].numbers.at("thick"), 20);
     EXPECT_EQ(layer.features[1].texts.at("name"), "slope");
     EXPECT_EQ(total_area(layer), 10000 - 400 + 100 + 200);
@@ -38,7 +38,7 @@ TEST(ReadPolygons, KeepsHolesPartsAndAttributes) {
     EXPECT_EQ(layer.layer_name, "shapes");
     EXPECT_EQ(layer.crs_label, "EPSG:32632 (WGS 84 / UTM zone 32N)");
     EXPECT_TRUE(layer.warnings.empty());
-    EXPECT_EQ(layer.features[0].parts[0].outer.size(), 4U) << "the closing point is not repeated";
+    EXPECT_EQ(layer.features[0].shape.areas[0].outer.size(), 4U) << "the closing point is not repeated";
 }
 
 TEST(ReadPolygons, EveryUsualFormatAndCrs) {
@@ -63,7 +63,7 @@ TEST(ReadPolygons, ShiftsTheDatum) {
                 {"POLYGON((1529430 5094000,1529530 5094000,1529530 5094100,1529430 5094100,1529430 5094000))"});
     const PolygonLayer layer = read_polygons(folder.file("scar.shp"), utm(), k_where);
     bool found = false;
-    for (const Point& point : layer.features[0].parts[0].outer) {
+    for (const Point& point : layer.features[0].shape.areas[0].outer) {
         found = found || std::hypot(point.x - 529401.483581, point.y - 5093978.921519) < 0.01;
     }
     EXPECT_TRUE(found) << "the corner does not lie where gdaltransform puts it";
@@ -77,7 +77,7 @@ TEST(ReadPolygons, LongEdgesAreCurvedByTheProjection) {
     const PolygonLayer layer = read_polygons(folder.file("a.gpkg"), utm(), k_where);
     EXPECT_NEAR(layer.bounds.south, 5094047.492, 0.001);  // 9 E 46 N by gdaltransform
     // Along the curve no vertex may deviate by more than a millimetre; that needs some hundred of them.
-    EXPECT_GT(layer.features[0].parts[0].outer.size(), 100U);
+    EXPECT_GT(layer.features[0].shape.areas[0].outer.size(), 100U);
     // The ellipsoid's 860.24 km2 (77 393 m by 11 115.2 m at 46.05 N) times UTM's scale squared (0.9996, and
     // 6e-6 more on the average of half a degree either side), to the 1e-4 of these round values.
     EXPECT_NEAR(total_area(layer) / (77393.0 * 11115.2), 0.9996 * 0.9996 + 1.2e-5, 1e-4);
@@ -143,7 +143,7 @@ TEST(ReadPolygons, RefusesAHoleOutsideItsOutline) {
     LayerChoice all;
     all.keep_unusable = true;
     const PolygonLayer layer = read_polygons(folder.file("hole.gpkg"), utm(), k_where, all);
-    EXPECT_TRUE(layer.features[0].parts.empty());
+    EXPECT_TRUE(layer.features[0].shape.areas.empty());
     EXPECT_NE(layer.unusable[0].find("hole"), std::string::npos) << layer.unusable[0];
 }
 

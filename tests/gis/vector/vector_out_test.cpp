@@ -17,11 +17,11 @@ namespace {
 using test::error_of;
 using test::Folder;
 
-OutlineLayer release() {
-    PolygonFeature feature;
-    feature.parts = {{{{527000, 5094000}, {527100, 5094000}, {527100, 5094100}, {527000, 5094100}},
-                      {{{527020, 5094020}, {527040, 5094020}, {527040, 5094040}, {527020, 5094040}}}},
-                     {{{527200, 5094000}, {527210, 5094000}, {527210, 5094010}}, {}}};
+ShapeLayer release() {
+    Feature feature;
+    feature.shape.areas = {{{{527000, 5094000}, {527100, 5094000}, {527100, 5094100}, {527000, 5094100}},
+                            {{{527020, 5094020}, {527040, 5094020}, {527040, 5094040}, {527020, 5094040}}}},
+                           {{{527200, 5094000}, {527210, 5094000}, {527210, 5094010}}, {}}};
     feature.numbers["thickness_m"] = 2.5;
     feature.numbers["fid"] = 3;  // a name that GeoPackage reserves
     feature.texts["name"] = "upper part";
@@ -31,13 +31,13 @@ OutlineLayer release() {
 TEST(WriteOutlines, AreReadBackAsWritten) {
     const Folder folder;
     const std::string crs = crs_from_user("EPSG:32632", "");
-    write_outlines(folder.file("extent.gpkg"), crs, {release(), {"trace", {}}});
+    write_shapes(folder.file("extent.gpkg"), crs, {release(), {"trace", {}}});
     EXPECT_EQ(folder.names(), std::vector<std::string>{"extent.gpkg"});
     const PolygonLayer back = read_polygons(folder.file("extent.gpkg") + "|layer=release", crs, "");
     ASSERT_EQ(back.features.size(), 1U);
-    EXPECT_EQ(back.features[0].parts.size(), 2U);
-    EXPECT_EQ(back.features[0].parts[0].holes.size(), 1U);
-    EXPECT_EQ(area(back.features[0].parts), 10000 - 400 + 50);
+    EXPECT_EQ(back.features[0].shape.areas.size(), 2U);
+    EXPECT_EQ(back.features[0].shape.areas[0].holes.size(), 1U);
+    EXPECT_EQ(area(back.features[0].shape.areas), 10000 - 400 + 50);
     EXPECT_EQ(back.features[0].numbers.at("area_m2"), 9650);
     EXPECT_EQ(back.features[0].numbers.at("thickness_m"), 2.5);
     EXPECT_EQ(back.features[0].texts.at("name"), "upper part");
@@ -51,10 +51,10 @@ TEST(WriteOutlines, AreReadBackAsWritten) {
 TEST(WriteOutlines, EveryLayerHasAStyleThatIsItsDefault) {
     const Folder folder;
     const std::string file = folder.file("extent.gpkg");
-    OutlineLayer named = release();
+    ShapeLayer named = release();
     named.style = titled(style_of("release", Shape::area, {{1, 2, 3}, 0.7, true, "name"}), "Anriss & Hang",
                          {{"volume_m3", "Volumen [m³]"}});
-    write_outlines(file, "", {named, {"trace", {}}});
+    write_shapes(file, "", {named, {"trace", {}}});
     const GdalSession session;
     const GDALDatasetUniquePtr dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR));
     ASSERT_TRUE(dataset);
@@ -80,19 +80,19 @@ TEST(WriteOutlines, EveryLayerHasAStyleThatIsItsDefault) {
 
 TEST(WriteOutlines, LocalCoordinatesHaveNoCrs) {
     const Folder folder;
-    write_outlines(folder.file("extent.gpkg"), "", {release()});
+    write_shapes(folder.file("extent.gpkg"), "", {release()});
     EXPECT_EQ(read_polygons(folder.file("extent.gpkg"), "", "").crs_label, "none");
 }
 
 TEST(WriteOutlines, AFailureLeavesTheOldFile) {
     const Folder folder;
     test::write_text(folder.file("extent.gpkg"), "old");
-    EXPECT_EQ(error_of([&] { write_outlines(folder.file("no/extent.gpkg"), "", {release()}); }).kind(),
+    EXPECT_EQ(error_of([&] { write_shapes(folder.file("no/extent.gpkg"), "", {release()}); }).kind(),
               ErrorKind::environment);
-    OutlineLayer unnamed = release();
+    ShapeLayer unnamed = release();
     unnamed.name = "release";
     const Error error = error_of([&] {
-        write_outlines(folder.file("extent.gpkg"), "", {release(), unnamed});
+        write_shapes(folder.file("extent.gpkg"), "", {release(), unnamed});
     });  // the name twice
     EXPECT_EQ(error.kind(), ErrorKind::environment);
     EXPECT_EQ(test::text_in(folder.file("extent.gpkg")), "old");

@@ -21,7 +21,7 @@
 namespace frana::app::study {
 namespace {
 
-std::optional<std::string> text_in(const PolygonFeature& feature, const std::string& column) {
+std::optional<std::string> text_in(const Feature& feature, const std::string& column) {
     if (const auto text = feature.texts.find(column); text != feature.texts.end()) {
         const std::string value = trimmed(text->second);
         if (value.empty()) return std::nullopt;
@@ -36,7 +36,7 @@ std::optional<std::string> text_in(const PolygonFeature& feature, const std::str
 void require_columns(const RegionSpec& region, const gis::PolygonLayer& layer, const std::string& label,
                      Problems& problems) {
     std::set<std::string> known;
-    for (const PolygonFeature& feature : layer.features) {
+    for (const Feature& feature : layer.features) {
         for (const auto& [name, value] : feature.numbers) known.insert(name);
         for (const auto& [name, value] : feature.texts) known.insert(name);
     }
@@ -61,7 +61,7 @@ void require_columns(const RegionSpec& region, const gis::PolygonLayer& layer, c
 }
 
 /// How often a slope fails, by its columns or as all do. @param problem of a value in them
-FrequencySpec frequency_of(const StudySpec& study, const PolygonFeature& feature, std::string& problem) {
+FrequencySpec frequency_of(const StudySpec& study, const Feature& feature, std::string& problem) {
     StudySpec own = study;
     for (const RegionSpec::Column& one : study.region->columns) {
         if (!is_of_frequency(one.key)) continue;
@@ -78,7 +78,7 @@ FrequencySpec frequency_of(const StudySpec& study, const PolygonFeature& feature
 }
 
 /// @param event null: the columns of the region say which it is
-Slope slope_of(const StudySpec& study, const PolygonFeature& feature, const RegionSpec::Event* event) {
+Slope slope_of(const StudySpec& study, const Feature& feature, const RegionSpec::Event* event) {
     const RegionSpec& region = *study.region;
     Slope slope;
     slope.frequency = frequency_of(study, feature, slope.problem);
@@ -199,10 +199,10 @@ void add_columns(const gis::PolygonLayer& layer, const std::vector<SlopePlace>& 
         add_key(one.key);
     if (with_friction_period) add_key(k_friction_period);
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const PolygonFeature& feature = layer.features[places[i].polygon];
+        const Feature& feature = layer.features[places[i].polygon];
         Slope slope = slope_of(study, feature, places[i].event);
         slope.polygon = places[i].polygon;
-        slope.area = area(feature.parts);
+        slope.area = area(feature.shape.areas);
         if (!layer.unusable[slope.polygon].empty()) slope.problem = layer.unusable[slope.polygon];
         const auto add = [&](const std::string& value, double number) {
             members.table.values[i].push_back(value);
@@ -412,7 +412,7 @@ void prepare_region(StudyInput& input, const std::optional<Problem>& place, RunL
         of_all.session.read(gis::read_polygons, *of_all.scene.release.perimeter, grid.crs_wkt, of_all.where(key), all);
     for (Slope& slope : input.slopes) {
         if (slope.polygon >= layer.features.size()) continue;
-        slope.outline = layer.features[slope.polygon].parts;
+        slope.outline = layer.features[slope.polygon].shape.areas;
         const auto thin = thin_volumes(slope.frequency, area(slope.outline), input.reading.where("frequency.volumes"));
         if (thin && slope.problem.empty()) slope.problem = describe(*thin);
     }

@@ -95,8 +95,8 @@ MapSource source_of(const StudyInput& input, std::size_t e, const EventRuns& run
         gis::meridian_convergence_deg(grid.crs_wkt, {(grid.west + grid.east()) / 2, (grid.south() + grid.north) / 2});
     source.longitude_latitude = longitude_latitude(grid.crs_wkt);
     for (std::size_t i = 0; i < base.scene.release.size(); ++i) {
-        const PolygonFeature outline = release_outline(base.scene.release[i], i);
-        source.release.insert(source.release.end(), outline.parts.begin(), outline.parts.end());
+        const Feature outline = release_outline(base.scene.release[i], i);
+        source.release.insert(source.release.end(), outline.shape.areas.begin(), outline.shape.areas.end());
     }
     source.scar = surveyed(base).survey.scar;
     if (const auto run = read_record(RecordFiles(runs.records).place(best)))

@@ -58,13 +58,13 @@ std::vector<HazardArea> write_degree(const StudyInput& input, const Raster& degr
 
 void write_reached(const StudyInput& input, const Raster& depth, const ResultDirectory& directory) {
     const double threshold = input.base.spec.output.trace_threshold;
-    std::vector<gis::OutlineLayer> layers = known_outlines(input);
+    std::vector<gis::ShapeLayer> layers = known_outlines(input);
     layers.push_back({"trace", {}});
-    PolygonFeature reached;
-    reached.parts = gis::polygonise(trace_mask(depth, threshold));
+    Feature reached;
+    reached.shape.areas = gis::polygonise(trace_mask(depth, threshold));
     reached.numbers["threshold_m"] = threshold;
-    if (!reached.parts.empty()) layers.back().features.push_back(std::move(reached));
-    write_result_outlines(directory.path(k_outlines_file), depth.grid.crs_wkt, layers, words_of(input.base.spec));
+    if (!reached.shape.areas.empty()) layers.back().features.push_back(std::move(reached));
+    write_result_shapes(directory.path(k_outlines_file), depth.grid.crs_wkt, layers, words_of(input.base.spec));
 }
 
 double covered_area(const Raster& depth, double threshold) {
@@ -183,10 +183,10 @@ void choose_grid(StudyInput& input, StudyResult& result, RunLog& log) {
 }
 
 /// A member with its row of the table as attributes.
-PolygonFeature member_feature(const StudyInput& input, const StudyResult& result, const MemberRecord& member,
-                              MultiPolygon parts) {
-    PolygonFeature feature;
-    feature.parts = std::move(parts);
+Feature member_feature(const StudyInput& input, const StudyResult& result, const MemberRecord& member,
+                       MultiPolygon parts) {
+    Feature feature;
+    feature.shape.areas = std::move(parts);
     for (const MemberCell& one : member_row(input, result, member)) {
         if (one.name == "engine_seconds") continue;  // the same study is the same file
         if (!one.is_number)
@@ -198,11 +198,11 @@ PolygonFeature member_feature(const StudyInput& input, const StudyResult& result
 }
 
 /// A slope with the row of its only member, or with how often it fails.
-PolygonFeature slope_feature(const StudyInput& input, const StudyResult& result, std::size_t number) {
+Feature slope_feature(const StudyInput& input, const StudyResult& result, std::size_t number) {
     const Slope& slope = input.slopes[number];
     if (!result.rates) return member_feature(input, result, result.members[number], slope.outline);
-    PolygonFeature feature;
-    feature.parts = slope.outline;
+    Feature feature;
+    feature.shape.areas = slope.outline;
     feature.texts = {{"name", slope.name}, {"group", slope.group}, {"reason", slope.problem}};
     if (const auto& rate = slope.frequency.rate)
         feature.numbers = {{"annual_rate", rate->value}, {"annual_rate_deviation", rate->deviation}};
@@ -213,7 +213,7 @@ PolygonFeature slope_feature(const StudyInput& input, const StudyResult& result,
 /// Writes the outlines of what finished members reach, each in a raster no larger than that; of a region also every
 /// release polygon, with the status of its slope.
 void write_member_outlines(const StudyInput& input, const StudyResult& result, const std::string& path) {
-    gis::OutlineLayer traces{"members", {}}, slopes{"slopes", {}};
+    gis::ShapeLayer traces{"members", {}}, slopes{"slopes", {}};
     for (std::size_t i = 0; i < result.finished_at.size(); ++i) {
         const MemberRecord record = require_record(result.finished.records[i]);
         const CellWindow window = record.reached(result.grid);
@@ -225,10 +225,10 @@ void write_member_outlines(const StudyInput& input, const StudyResult& result, c
             member_feature(input, result, result.members[result.finished_at[i]], std::move(trace)));
     }
     for (std::size_t i = 0; i < input.slopes.size(); ++i) slopes.features.push_back(slope_feature(input, result, i));
-    std::vector<gis::OutlineLayer> layers;
+    std::vector<gis::ShapeLayer> layers;
     if (!input.slopes.empty()) layers.push_back(std::move(slopes));
     layers.push_back(std::move(traces));
-    write_result_outlines(path, result.grid.crs_wkt, layers, words_of(input.base.spec));
+    write_result_shapes(path, result.grid.crs_wkt, layers, words_of(input.base.spec));
 }
 
 bool is_kept(Keep keep, const MemberRecord& member) {

@@ -112,7 +112,7 @@ void publish_rates(const StudyInput& input, const StudyResult& result, const Res
                    StudyFacts& facts);
 
 /// Returns the layers of extent.gpkg that are known before the members run.
-std::vector<gis::OutlineLayer> known_outlines(const StudyInput& input);
+std::vector<gis::ShapeLayer> known_outlines(const StudyInput& input);
 
 /// Writes a member's scene and maps to a folder of the result.
 void write_member(const StudyInput& input, std::size_t member, const MemberRecord& record, const GridSpec& grid,

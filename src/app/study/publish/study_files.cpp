@@ -199,13 +199,13 @@ void write_quantiles(const QuantityMaps& maps, const std::string& name, const Ma
 }
 
 /// Of the cells with at least this probability.
-PolygonFeature probability_outline(const Raster& probability, double least) {
+Feature probability_outline(const Raster& probability, double least) {
     Raster mask(probability.grid);
     probability.values.for_each_stored([&](std::size_t cell, double value) {
         if (value >= least) mask.values[cell] = 1;
     });
-    PolygonFeature feature;
-    feature.parts = gis::polygonise(mask);
+    Feature feature;
+    feature.shape.areas = gis::polygonise(mask);
     feature.numbers["probability"] = least;
     return feature;
 }
@@ -225,31 +225,31 @@ Interval interval_at_least(const Raster& probability, double least, const Raster
 
 /// extent.gpkg: as publish_ground writes it, with the outlines of the probability.
 void write_probability_outlines(const StudyInput& input, const Raster& probability, const std::string& path) {
-    std::vector<gis::OutlineLayer> layers = known_outlines(input);
+    std::vector<gis::ShapeLayer> layers = known_outlines(input);
     for (const StudyQuantile& quantile : k_study_quantiles) {
-        gis::OutlineLayer layer{probability_layer(quantile.name), {}};
-        PolygonFeature feature = probability_outline(probability, quantile.fraction);
+        gis::ShapeLayer layer{probability_layer(quantile.name), {}};
+        Feature feature = probability_outline(probability, quantile.fraction);
         feature.numbers["threshold_m"] = input.base.spec.output.depth_thresholds.front();
-        if (!feature.parts.empty()) layer.features.push_back(std::move(feature));
+        if (!feature.shape.areas.empty()) layer.features.push_back(std::move(feature));
         layers.push_back(std::move(layer));
     }
-    write_result_outlines(path, probability.grid.crs_wkt, layers, words_of(input.base.spec));
+    write_result_shapes(path, probability.grid.crs_wkt, layers, words_of(input.base.spec));
 }
 
 }  // namespace
 
-std::vector<gis::OutlineLayer> known_outlines(const StudyInput& input) {
-    gis::OutlineLayer release{"release", {}};
+std::vector<gis::ShapeLayer> known_outlines(const StudyInput& input) {
+    gis::ShapeLayer release{"release", {}};
     const auto& areas = input.other_releases.empty() ? input.base.scene.release : input.other_releases;
     for (std::size_t i = 0; i < areas.size() && input.slopes.empty(); ++i)
         release.features.push_back(release_outline(areas[i], i));
     for (std::size_t i = 0; i < input.slopes.size(); ++i) {
-        PolygonFeature feature;
-        feature.parts = input.slopes[i].outline;
+        Feature feature;
+        feature.shape.areas = input.slopes[i].outline;
         feature.texts["name"] = input.slopes[i].name.empty() ? std::to_string(i) : input.slopes[i].name;
         release.features.push_back(std::move(feature));
     }
-    std::vector<gis::OutlineLayer> layers{std::move(release)};
+    std::vector<gis::ShapeLayer> layers{std::move(release)};
     if (input.base.scar) layers.push_back({"scar", input.base.scar->features});
     return layers;
 }
