@@ -389,15 +389,17 @@ std::vector<std::string> LayerDrawer::draw(const MapLayer& layer, bool view_3d, 
 }
 
 void LayerDrawer::draw_for_page(const MapLayer& layer, bool view_3d, const std::string& file) {
-    const auto drawn = [&](double height_mm) {
-        return view_3d ? views_.draw(for_page(view_spec(source_, layer), layer, height_mm))
-                       : page_maps_.draw(page_map_spec(source_, layer, height_mm));
-    };
-    for (const double height_mm : k_page_picture_heights_mm) {
+    const auto write = [&](const render::Page& page) { render::write_png(file, page.paint(), k_page_picture_dpi); };
+    for (const double& height_mm : k_page_picture_heights_mm) {
+        const bool is_first = &height_mm == std::begin(k_page_picture_heights_mm),
+                   is_last = &height_mm == std::end(k_page_picture_heights_mm) - 1;
         try {
-            return render::write_png(file, drawn(height_mm).paint(), k_page_picture_dpi);
+            if (view_3d) return write(views_.draw(for_page(view_spec(source_, layer), layer, height_mm)));
+            const render::MapSpec spec = page_map_spec(source_, layer, height_mm);
+            const Bounds shown = render::required_window(spec);
+            if (is_first && shown.height() > shown.width()) continue;  // a low page would show a tall flow small
+            return write(page_maps_.draw(spec));
         } catch (const Error& error) {
-            const bool is_last = height_mm == std::end(k_page_picture_heights_mm)[-1];
             if (error.kind() != ErrorKind::input || is_last) throw;
         }
     }
