@@ -130,9 +130,11 @@ void add_extra_output(std::vector<Parameter>& list) {
     thresholds("output.velocity-thresholds", FRANA_MEMBER(output.velocity_thresholds), "m/s");
     thresholds("output.pressure-thresholds", FRANA_MEMBER(output.pressure_thresholds), "kPa");
     thresholds("output.momentum-flux-thresholds", FRANA_MEMBER(output.momentum_flux_thresholds), "m3/s2");
+    std::vector<std::string> words;
+    for (const ResultRaster& row : result_rasters())
+        if (!row.asked_by.empty() && (words.empty() || words.back() != row.asked_by)) words.push_back(row.asked_by);
     Parameter rasters = declare::word_list(
-        "output.rasters", FRANA_MEMBER(output.rasters), {},
-        {RasterName::max_flux, RasterName::max_head, RasterName::max_momentum_flux, k_plane_stress},
+        "output.rasters", FRANA_MEMBER(output.rasters), {}, words,
         "Rasters beside those that every run writes: depth times speed, energy head, depth times speed squared, normal "
         "stress in the plane.");
     rasters.absent = "none";

@@ -275,26 +275,28 @@ void add_choices(Table& table) {
         return scene.hazard.scheme.has_value() || asks_for_intensity(scene.output) ||
                !scene.output.momentum_flux_thresholds.empty();
     });
-    ResultRaster& flux =
-        table.flow(RasterName::max_flux, "Maximum flux", "Maximum over time of depth times speed at one moment", "m2/s",
-                   "velocity", k_progressive);
-    flux.if_it_happens = flux.of_depth = true;
-    ResultRaster& momentum =
-        table.flow(RasterName::max_momentum_flux, "Maximum momentum flux",
-                   "Maximum over time of depth times speed squared at one moment", "m3/s2", "velocity", k_progressive);
-    momentum.if_it_happens = momentum.of_depth = true;
+    const auto intensity = [&](const char* name, const char* title, const char* description,
+                               const char* unit) -> ResultRaster& {
+        ResultRaster& row = table.flow(name, title, description, unit, "velocity", k_progressive);
+        row.if_it_happens = true;
+        row.asked_by = name;
+        return row;
+    };
+    intensity(RasterName::max_flux, "Maximum flux", "Maximum over time of depth times speed at one moment", "m2/s")
+        .of_depth = true;
+    ResultRaster& momentum = intensity(RasterName::max_momentum_flux, "Maximum momentum flux",
+                                       "Maximum over time of depth times speed squared at one moment", "m3/s2");
+    momentum.of_depth = true;
     momentum.bounds = {0, 1, 3, 10, 30, 100, 300, 1000, k_infinity};
-    ResultRaster& head =
-        table.flow(RasterName::max_head, "Maximum energy head", "Maximum over time of depth plus v2/2g at one moment",
-                   "m", "velocity", k_progressive);
-    head.if_it_happens = true;
-    head.classes = "max-head";
+    intensity(RasterName::max_head, "Maximum energy head", "Maximum over time of depth plus v2/2g at one moment", "m")
+        .classes = "max-head";
 
     table.when("with `output.rasters = plane_stress`",
                [](const SceneSpec& scene) { return asks_for_plane_stress(scene.output); });
     const auto stress = [&](const char* name, const char* title, const char* description) {
         ResultRaster& row = table.flow(name, title, description, "kPa", "velocity", k_even);
         row.in_frames = true;
+        row.asked_by = k_plane_stress;
         row.bounds = {0, 10, 30, 100, 150, 200, 250, 300, k_infinity};
     };
     stress(RasterName::plane_stress_xx, "In-plane stress xx", "Normal stress in the plane across x, compression");

@@ -90,6 +90,7 @@ struct ResultRaster {
     bool zero_is_blank = false;    ///< 0 is a value, and nothing is drawn there
     bool is_flow_depth = false;    ///< measured as output.depth says; its description has k_vertical
     std::vector<double> bounds{};  ///< of its classes, whatever the scene; empty: those of `classes`
+    std::string asked_by{};        ///< word of output.rasters; empty: none is needed
     std::string classes{};         ///< row of quantity_classes() ; empty: from its values
 
     /// Whether it has a style file, and is among the maps that `frana render` draws by default.
