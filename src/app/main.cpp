@@ -43,7 +43,7 @@ int dispatch(Arguments words) {
                           << (own.rank > 0 ? " does nothing\n" : " continues alone\n");
                 if (own.rank > 0) return static_cast<int>(ExitCode::done);
             }
-            return command.run({words.begin() + 1, words.end()});
+            return run_command(command, {words.begin() + 1, words.end()});
         }
         names.emplace_back(command.name);
     }

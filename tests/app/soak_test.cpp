@@ -76,12 +76,18 @@ class Soak : public TinyScene {
     }
 };
 
+int command(const std::string& name, const app::Arguments& arguments) {
+    for (const app::Command& one : app::commands())
+        if (name == one.name) return app::run_command(one, arguments);
+    return -1;
+}
+
 TEST_F(Soak, RunsInOneProcessLeaveNothingBehind) {
     write_scene(k_numbers_only);
     const auto before = temporary_files();
     repeat(
         [&] {
-            ASSERT_EQ(app::cmd_run({path("scene.ini"), "--out", path("result"), "--overwrite", "--quiet"}), 0);
+            ASSERT_EQ(command("run", {path("scene.ini"), "--out", path("result"), "--overwrite", "--quiet"}), 0);
         },
         asked("FRANA_SOAK_SECONDS", 3), 5);
     EXPECT_EQ(temporary_files(), before);
@@ -90,13 +96,14 @@ TEST_F(Soak, RunsInOneProcessLeaveNothingBehind) {
 
 TEST_F(Soak, RendersInOneProcessLeaveNothingBehind) {
     write_scene(k_numbers_only);
-    ASSERT_EQ(app::cmd_run({path("scene.ini"), "--out", path("result"), "--quiet"}), 0);
+    ASSERT_EQ(command("run", {path("scene.ini"), "--out", path("result"), "--quiet"}), 0);
     const auto before = temporary_files();
     int turn = 0;
     repeat(
         [&] {
             const char* const view = turn++ % 4 == 3 ? "3d" : "2d";
-            ASSERT_EQ(app::cmd_render({path("result"), "--map", "max_depth", "--view", view, "--size", "640x480"}), 0);
+            ASSERT_EQ(command("render", {path("result"), "--map", "max_depth", "--view", view, "--size", "640x480"}),
+                      0);
         },
         0, static_cast<int>(asked("FRANA_SOAK_RENDERS", 12)));
     EXPECT_EQ(temporary_files(), before);

@@ -12,8 +12,28 @@
 #include "gis/access/file_access.h"
 
 namespace frana::app {
+namespace {
 
-CommandForm bench_form() {
+int cmd_bench(const Options& values) {
+    std::error_code error;
+    const std::string program =
+        (std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / "frana-bench").string();
+    Arguments words = values.words;
+    words.insert(words.begin(), program);
+    if (gis::network_allowed()) words.emplace_back("--allow-network");
+    std::vector<char*> pointers;
+    for (std::string& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    ::execv(program.c_str(), pointers.data());
+    throw Error(ErrorKind::environment,
+                Problem{errno == ENOENT ? "a part of frana is missing" : "a part of frana cannot be started", program,
+                        errno == ENOENT ? "" : std::strerror(errno), "",
+                        "Install frana anew, or build it anew with ./build.sh build"});
+}
+
+}  // namespace
+
+Command command_bench() {
     CommandForm form{
         "frana bench accuracy|stability|speed [options]",
         "Measures frana itself. accuracy: cases with exact solutions, every scheme, several resolutions.\nstability: "
@@ -28,25 +48,7 @@ CommandForm bench_form() {
         "case", many("CASE"), "accuracy, stability: only this case (may be repeated)")(
         "threads", one("N"),
         "stability: threads of a run; speed: maximum number of threads (default: all; accuracy always uses one)");
-    return form;
-}
-
-int cmd_bench(const Arguments& arguments) {
-    if (!parse_arguments(bench_form(), arguments)) return static_cast<int>(ExitCode::done);
-    std::error_code error;
-    const std::string program =
-        (std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / "frana-bench").string();
-    Arguments words = arguments;
-    words.insert(words.begin(), program);
-    if (gis::network_allowed()) words.emplace_back("--allow-network");
-    std::vector<char*> pointers;
-    for (std::string& word : words) pointers.push_back(word.data());
-    pointers.push_back(nullptr);
-    ::execv(program.c_str(), pointers.data());
-    throw Error(ErrorKind::environment,
-                Problem{errno == ENOENT ? "a part of frana is missing" : "a part of frana cannot be started", program,
-                        errno == ENOENT ? "" : std::strerror(errno), "",
-                        "Install frana anew, or build it anew with ./build.sh build"});
+    return {"bench", "tests of frana: exact solutions, hard cases, throughput", form, cmd_bench};
 }
 
 }  // namespace frana::app

@@ -153,21 +153,6 @@ std::string input_table(const Prepared& prepared, std::int64_t memory_bytes) {
 
 }  // namespace
 
-CommandForm check_form() {
-    CommandForm form{
-        "frana check SCENE.ini|STUDY.ini|REGION.ini [options]",
-        "Validates a scene, a study or a region of many runs, and all its files, prints what would run, and writes "
-        "nothing.",
-        "SCENE.ini",
-        {}};
-    form.options.add_options()("out", one("FOLDER"), "result directory of the run (overrides output.directory)")(
-        "set", many("KEY=VALUE"), "section.key=value, overrides the scene; repeatable")(
-        "threads", one("N"), "number of threads (default: all processors)")(
-        "memory-limit", one("SIZE"), "refuse a run that would need more (4GB, 500MB)")(
-        "json", "print one JSON document for scripts instead (share/doc/scripts.md)");
-    return form;
-}
-
 namespace {
 
 /// Rounds to two significant digits, for values of no higher accuracy.
@@ -304,30 +289,26 @@ void print_run(const Prepared& prepared, const RunEstimate& expected, const std:
     print_result(directory);
 }
 
-}  // namespace
-
-int cmd_check(const Arguments& arguments) {
-    const auto values = parse_arguments(check_form(), arguments);
-    if (!values) return static_cast<int>(ExitCode::done);
-    const int threads = thread_count(*values);
+int cmd_check(const Options& values) {
+    const int threads = thread_count(values);
     RunLog log(false);
-    const bool json = values->count("json") > 0;
-    const Session session = session_of(*values, log);
-    const std::string file = (*values)["operand"].as<std::string>();
+    const bool json = values.count("json") > 0;
+    const Session session = session_of(values, log);
+    const std::string file = values["operand"].as<std::string>();
     if (const auto kind = study::study_kind(file)) {
-        if (!text_options(*values, "set").empty())
+        if (!text_options(values, "set").empty())
             throw Error(ErrorKind::input, Problem{"is for scenes: a study sets its keys itself", "--set", "", "",
                                                   "Set the key in the study's scene"});
-        const Json document = check_study(file, *kind, text_option(*values, "out"), threads, !json, session, log);
+        const Json document = check_study(file, *kind, text_option(values, "out"), threads, !json, session, log);
         if (json) print_document(document);
         return static_cast<int>(ExitCode::done);
     }
-    const std::vector<std::string> set = text_options(*values, "set");
+    const std::vector<std::string> set = text_options(values, "set");
     SceneReading reading = read_scene(file, set, share_directory());
     reading.session = session;
     warn_of_changed_inputs(reading, log);
     // Whether an existing result may be replaced is checked when the scene is run.
-    const auto out = text_option(*values, "out");
+    const auto out = text_option(values, "out");
     const std::string directory = out.value_or(output_directory(reading.scene));
     const std::optional<Problem> place_problem = check_result_directory(
         directory, Older::unknown, {}, out ? "--out" : reading.where("output.directory"), reading.problems);
@@ -363,6 +344,23 @@ int cmd_check(const Arguments& arguments) {
     prepared.scene.warnings += log.take_warnings();
     if (json) print_document(check_document({prepared, expected, trial, memory, schemes, threads, directory}));
     return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace
+
+Command command_check() {
+    CommandForm form{
+        "frana check SCENE.ini|STUDY.ini|REGION.ini [options]",
+        "Validates a scene, a study or a region of many runs, and all its files, prints what would run, and writes "
+        "nothing.",
+        "SCENE.ini",
+        {}};
+    form.options.add_options()("out", one("FOLDER"), "result directory of the run (overrides output.directory)")(
+        "set", many("KEY=VALUE"), "section.key=value, overrides the scene; repeatable")(
+        "threads", one("N"), "number of threads (default: all processors)")(
+        "memory-limit", one("SIZE"), "refuse a run that would need more (4GB, 500MB)")(
+        "json", "print one JSON document for scripts instead (share/doc/scripts.md)");
+    return {"check", "validate a scene, a study or a region and print what would run; writes nothing", form, cmd_check};
 }
 
 }  // namespace frana::app

@@ -89,26 +89,6 @@ std::string only_one(const std::vector<std::string>& given, const std::string& w
 
 }  // namespace
 
-CommandForm compare_form() {
-    CommandForm form{"frana compare RESULT_DIR|RASTER --observed VECTOR [--deposit FILE] [options]",
-                     "Compares simulated depths with a survey, in any CRS: areas, lines of a front, points of a "
-                     "tip.\nPrints the scores and writes comparison.json, comparison_curve.csv, comparison.tif and "
-                     "comparison.png.",
-                     "RESULT_DIR|RASTER",
-                     {},
-                     true};
-    form.options.add_options()("observed", many("FILE"), "surveyed areas, open lines (a front) or points (a tip)")(
-        "scar", many("FILE"), "the same as --observed")(
-        "deposit", one("FILE"), "surveyed deposit: polygons, or a raster of elevation after minus before")(
-        "threshold", one("METRES"),
-        "depth in metres over which ground counts as covered (default: the result's, else 0.1)")(
-        "out", one("FOLDER"), "folder for the files (default: RESULT_DIR; the current folder for a RASTER)")(
-        "overwrite", "replace a comparison with another survey")(
-        "size", one("SIZE"), "WIDTHxHEIGHT of the map in pixels (default: 1600x1200)")(
-        "json", "print one JSON document for scripts instead (share/doc/scripts.md)");
-    return form;
-}
-
 namespace {
 
 /// Reads a raster of another program: depths on square cells in metres.
@@ -257,28 +237,24 @@ void print_table(const std::string& table, const std::vector<std::string>& files
     for (const std::string& file : files) std::cout << "  " << one_line(file) << '\n';
 }
 
-}  // namespace
-
-int cmd_compare(const Arguments& arguments) {
-    const auto values = parse_arguments(compare_form(), arguments);
-    if (!values) return static_cast<int>(ExitCode::done);
-    std::vector<std::string> scars = text_options(*values, "observed");
-    for (const std::string& file : text_options(*values, "scar")) scars.push_back(file);
-    const auto deposit = text_option(*values, "deposit");
+int cmd_compare(const Options& values) {
+    std::vector<std::string> scars = text_options(values, "observed");
+    for (const std::string& file : text_options(values, "scar")) scars.push_back(file);
+    const auto deposit = text_option(values, "deposit");
     if (scars.empty() && !deposit) {
         throw Error(ErrorKind::input, Problem{"--observed is missing", "command line", "", "",
                                               "Name the surveyed outline: --observed VECTOR"});
     }
-    const auto threshold = threshold_option(*values);
-    const auto size = size_option(*values);
-    const bool json = values->count("json") > 0;
-    const std::string operand = only_one(text_options(*values, "operand"), "RESULT_DIR|RASTER");
+    const auto threshold = threshold_option(values);
+    const auto size = size_option(values);
+    const bool json = values.count("json") > 0;
+    const std::string operand = only_one(text_options(values, "operand"), "RESULT_DIR|RASTER");
     const auto scar = scars.empty() ? std::nullopt : std::optional(only_one(scars, "--observed"));
     refuse_probability(operand);
     const std::string usual = fs::is_directory(operand) ? ResultReader(operand).directory() : ".";
-    const Pair pair{operand, scar, text_option(*values, "out").value_or(usual)};
+    const Pair pair{operand, scar, text_option(values, "out").value_or(usual)};
     check_outputs(pair, deposit);
-    if (values->count("overwrite") == 0) refuse_other_survey(pair, deposit.value_or(""));
+    if (values.count("overwrite") == 0) refuse_other_survey(pair, deposit.value_or(""));
     RunLog log(false);
     Simulated simulated = read_simulated(operand, threshold);
     if (size) simulated.source.style.size = *size;
@@ -299,6 +275,28 @@ int cmd_compare(const Arguments& arguments) {
         print_table(comparison_table(comparison, simulated.input, output_width()), files);
     }
     return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace
+
+Command command_compare() {
+    CommandForm form{"frana compare RESULT_DIR|RASTER --observed VECTOR [--deposit FILE] [options]",
+                     "Compares simulated depths with a survey, in any CRS: areas, lines of a front, points of a "
+                     "tip.\nPrints the scores and writes comparison.json, comparison_curve.csv, comparison.tif and "
+                     "comparison.png.",
+                     "RESULT_DIR|RASTER",
+                     {},
+                     true};
+    form.options.add_options()("observed", many("FILE"), "surveyed areas, open lines (a front) or points (a tip)")(
+        "scar", many("FILE"), "the same as --observed")(
+        "deposit", one("FILE"), "surveyed deposit: polygons, or a raster of elevation after minus before")(
+        "threshold", one("METRES"),
+        "depth in metres over which ground counts as covered (default: the result's, else 0.1)")(
+        "out", one("FOLDER"), "folder for the files (default: RESULT_DIR; the current folder for a RASTER)")(
+        "overwrite", "replace a comparison with another survey")(
+        "size", one("SIZE"), "WIDTHxHEIGHT of the map in pixels (default: 1600x1200)")(
+        "json", "print one JSON document for scripts instead (share/doc/scripts.md)");
+    return {"compare", "compare a result with a surveyed outline", form, cmd_compare};
 }
 
 }  // namespace frana::app

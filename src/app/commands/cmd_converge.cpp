@@ -41,24 +41,6 @@
 #include "simulation/simulation.h"
 
 namespace frana::app {
-
-CommandForm converge_form() {
-    CommandForm form{"frana converge SCENE.ini [options]",
-                     "Runs a scene at several resolutions, the scene's own cell size being the finest and each other "
-                     "level twice as\ncoarse, and estimates error and time of each: convergence.csv, "
-                     "convergence.json, convergence.png, uncertainty.tif.",
-                     "SCENE.ini",
-                     {}};
-    form.options.add_options()("out", one("FOLDER"), "folder (default: RESULT_DIR-convergence)")(
-        "levels", one("N")->default_value("3"), "number of resolutions, 3 to 6")(
-        "schemes", "also by the other scheme, material points or finite volumes: which is accurate in the least time")(
-        "set", many("KEY=VALUE"), "section.key=value, overrides the scene; repeatable")(
-        "threads", one("N"), "number of threads (default: all processors)")(
-        "overwrite", "replace an existing convergence study")("quiet,q", "no progress on the terminal")(
-        "json", "print one JSON document for scripts instead (share/doc/scripts.md)");
-    return form;
-}
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -375,7 +357,7 @@ render::Image chart_of(const std::vector<SchemeLevels>& schemes, const Words& wo
     return render::draw_chart(chart, 2000, 1100);
 }
 
-int level_count(const boost::program_options::variables_map& values) {
+int level_count(const Options& values) {
     constexpr std::int64_t k_least = 3, k_most = 6;
     const std::string text = values["levels"].as<std::string>();
     const auto count = integer_from_text(text);
@@ -444,23 +426,19 @@ void write_uncertainty(const std::string& raster, std::vector<Level>& levels, co
                       gis::StyleKind::classed, words(row.title));
 }
 
-}  // namespace
-
-int cmd_converge(const Arguments& arguments) {
-    const auto values = parse_arguments(converge_form(), arguments);
-    if (!values) return static_cast<int>(ExitCode::done);
-    const int count = level_count(*values), threads = thread_count(*values);
-    const bool quiet = values->count("quiet") > 0;
-    const std::string file = (*values)["operand"].as<std::string>();
+int cmd_converge(const Options& values) {
+    const int count = level_count(values), threads = thread_count(values);
+    const bool quiet = values.count("quiet") > 0;
+    const std::string file = values["operand"].as<std::string>();
 
     // Every level is read before any is computed: all problems are reported at once, and no study stops half-way.
-    SceneVariants variants(file, text_options(*values, "set"), threads, quiet);
+    SceneVariants variants(file, text_options(values, "set"), threads, quiet);
     std::vector<Prepared> scenes;
     scenes.push_back(variants.read({}));
     const SceneSpec spec = scenes.front().spec;
     const fs::path folder =
-        make_convergence_folder(text_option(*values, "out").value_or(convergence_directory(output_directory(spec))),
-                                values->count("overwrite") > 0, spec);
+        make_convergence_folder(text_option(values, "out").value_or(convergence_directory(output_directory(spec))),
+                                values.count("overwrite") > 0, spec);
     const double finest = scenes.front().scene.grid.cell_size;
     for (int k = 1; k < count; ++k) {
         scenes.push_back(variants.read({"terrain.cell-size=" + shortest_text(finest * std::pow(2.0, k))}));
@@ -471,7 +449,7 @@ int cmd_converge(const Arguments& arguments) {
         half = variants.read({"terrain.cell-size=" + shortest_text(finest / 2)}).scene.terrain;
 
     std::vector<SchemeLevels> schemes{{spec.numerics.scheme}};
-    if (values->count("schemes") > 0) schemes.push_back({other_scheme(scenes.front(), variants)});
+    if (values.count("schemes") > 0) schemes.push_back({other_scheme(scenes.front(), variants)});
     catch_stop_signals();
     Raster own;
     for (; !scenes.empty(); scenes.pop_back()) {  // the coarsest is the last
@@ -499,7 +477,7 @@ int cmd_converge(const Arguments& arguments) {
     write_text_file((folder / k_study).string(), study_json(schemes, spec));
     is_drawn(k_chart, log, [&] { render::write_png((folder / k_chart).string(), chart_of(schemes, words)); });
     record_files(files_of(folder));
-    if (values->count("json") > 0) {
+    if (values.count("json") > 0) {
         Json document = document_of("converge");
         document["folder"] = folder.string();
         document["files"] = files_of(folder);
@@ -512,6 +490,25 @@ int cmd_converge(const Arguments& arguments) {
     }
     if (!quiet) std::cerr << "frana: convergence study in " << folder.string() << '\n';
     return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace
+
+Command command_converge() {
+    CommandForm form{"frana converge SCENE.ini [options]",
+                     "Runs a scene at several resolutions, the scene's own cell size being the finest and each other "
+                     "level twice as\ncoarse, and estimates error and time of each: convergence.csv, "
+                     "convergence.json, convergence.png, uncertainty.tif.",
+                     "SCENE.ini",
+                     {}};
+    form.options.add_options()("out", one("FOLDER"), "folder (default: RESULT_DIR-convergence)")(
+        "levels", one("N")->default_value("3"), "number of resolutions, 3 to 6")(
+        "schemes", "also by the other scheme, material points or finite volumes: which is accurate in the least time")(
+        "set", many("KEY=VALUE"), "section.key=value, overrides the scene; repeatable")(
+        "threads", one("N"), "number of threads (default: all processors)")(
+        "overwrite", "replace an existing convergence study")("quiet,q", "no progress on the terminal")(
+        "json", "print one JSON document for scripts instead (share/doc/scripts.md)");
+    return {"converge", "the scene at several resolutions: estimated error", form, cmd_converge};
 }
 
 }  // namespace frana::app

@@ -318,37 +318,21 @@ std::string thickness_of(const std::string& text, const fs::path& folder) {
     return key.write(spec).value_or(text);
 }
 
-}  // namespace
+constexpr const char* k_usage = "frana new DTM PERIMETER [options]";
 
-CommandForm new_form() {
-    CommandForm form{"frana new DTM PERIMETER [options]",
-                     "Writes a commented scene to begin with: the twenty keys that matter, with what the two files "
-                     "contain. It leaves\nthickness and material open unless --thickness and --preset give them.",
-                     "DTM PERIMETER",
-                     {}};
-    form.repeats = true;
-    form.options.add_options()("out", one("FILE"), "scene file to write (default: scene.ini)")(
-        "thickness", one("METRES"), "of the release: a number, attribute:NAME, raster:FILE, difference:PRE,POST")(
-        "preset", one("NAME"), "of the material: one of `frana materials`")("overwrite", "replace an existing file");
-    for (const Beginning& row : k_beginnings) form.options.add_options()(row.option, one("FILE"), row.meaning);
-    return form;
-}
-
-int cmd_new(const Arguments& arguments) {
-    const auto values = parse_arguments(new_form(), arguments);
-    if (!values) return static_cast<int>(ExitCode::done);
-    const auto files = text_options(*values, "operand");
+int cmd_new(const Options& values) {
+    const auto files = text_options(values, "operand");
     if (files.size() != 2)
         throw Error(ErrorKind::input, Problem{"needs two files: the DTM and the perimeter of the release",
-                                              "command line", "", "", "Usage: " + new_form().usage});
-    const fs::path scene = fs::absolute(text_option(*values, "out").value_or("scene.ini")).lexically_normal();
+                                              "command line", "", "", "Usage: " + std::string(k_usage)});
+    const fs::path scene = fs::absolute(text_option(values, "out").value_or("scene.ini")).lexically_normal();
     std::vector<std::pair<std::string, std::string>> outputs{{"--out", scene.string()}};
     for (const Beginning& row : k_beginnings)
-        if (const auto file = text_option(*values, row.option))
+        if (const auto file = text_option(values, row.option))
             outputs.emplace_back(std::string("--") + row.option, *file);
     std::set<fs::path> all;
     for (const auto& [option, file] : outputs) {
-        if (fs::exists(file) && values->count("overwrite") == 0)
+        if (fs::exists(file) && values.count("overwrite") == 0)
             throw Error(ErrorKind::input,
                         Problem{"exists already", option, file, "", "Choose another name, or add --overwrite"});
         if (!all.insert(fs::absolute(file).lexically_normal()).second)
@@ -359,8 +343,8 @@ int cmd_new(const Arguments& arguments) {
     SceneDraft draft = draft_of(files[0], files[1]);
     draft.dtm = relative_path(absolute_path(files[0], fs::current_path().string()), folder.string());
     draft.perimeter = relative_path(absolute_path(files[1], fs::current_path().string()), folder.string());
-    if (const auto preset = text_option(*values, "preset")) draft.preset = preset_of(*preset);
-    if (const auto thickness = text_option(*values, "thickness")) draft.thickness = thickness_of(*thickness, folder);
+    if (const auto preset = text_option(values, "preset")) draft.preset = preset_of(*preset);
+    if (const auto thickness = text_option(values, "thickness")) draft.thickness = thickness_of(*thickness, folder);
     std::error_code error;
     fs::create_directories(folder, error);
     if (error)
@@ -369,7 +353,7 @@ int cmd_new(const Arguments& arguments) {
     write_text_file(scene.string(), draft_text(draft));
     std::string written = scene.string();
     for (const Beginning& row : k_beginnings)
-        if (const auto file = text_option(*values, row.option)) {
+        if (const auto file = text_option(values, row.option)) {
             write_text_file(*file,
                             row.text(relative_path(scene.string(), fs::absolute(*file).parent_path().string()), draft));
             written += " and " + *file;
@@ -378,6 +362,22 @@ int cmd_new(const Arguments& arguments) {
               << "\nfrana: next: " << (open_keys(draft).empty() ? "" : "give " + open_keys(draft) + " in it, then ")
               << "frana check " << scene.string() << '\n';
     return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace
+
+Command command_new() {
+    CommandForm form{k_usage,
+                     "Writes a commented scene to begin with: the twenty keys that matter, with what the two files "
+                     "contain. It leaves\nthickness and material open unless --thickness and --preset give them.",
+                     "DTM PERIMETER",
+                     {}};
+    form.repeats = true;
+    form.options.add_options()("out", one("FILE"), "scene file to write (default: scene.ini)")(
+        "thickness", one("METRES"), "of the release: a number, attribute:NAME, raster:FILE, difference:PRE,POST")(
+        "preset", one("NAME"), "of the material: one of `frana materials`")("overwrite", "replace an existing file");
+    for (const Beginning& row : k_beginnings) form.options.add_options()(row.option, one("FILE"), row.meaning);
+    return {"new", "write a commented scene to begin with", form, cmd_new};
 }
 
 }  // namespace frana::app

@@ -18,8 +18,27 @@
 #include "params/scene/write_scene.h"
 
 namespace frana::app {
+namespace {
 
-CommandForm params_form() {
+int cmd_params(const Options& values) {
+    if (values.count("ini") + values.count("json") + values.count("markdown") > 1) {
+        throw Error(ErrorKind::input, Problem{"more than one format is requested", "command line", "", "",
+                                              "Give one of --ini, --json, --markdown"});
+    }
+    const std::string locale = text_option(values, "language").value_or("en");
+    const std::optional<Language> language = language_of_code(locale.substr(0, locale.find_first_of("_.@")));
+    if (!language)
+        throw Error(ErrorKind::input, Problem{"is not one of the languages", "--language", locale, language_codes(),
+                                              "Leave it out for English"});
+    std::cout << (values.count("json") > 0       ? reference_json(*language)
+                  : values.count("markdown") > 0 ? reference_markdown()
+                                                 : reference_ini());
+    return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace
+
+Command command_params() {
     CommandForm form{"frana params [--ini|--json|--markdown]",
                      "Prints every key of a scene file: type, unit, default, allowed values, meaning.",
                      "",
@@ -27,36 +46,12 @@ CommandForm params_form() {
     form.options.add_options()("ini", "as a scene file to fill in (default)")("json", "for programs")(
         "markdown", "for documents")("language", one("LOCALE"),
                                      ("json: of titles and meanings: " + language_codes() + " (default: en)").c_str());
-    return form;
+    return {"params", "every key of a scene file: type, unit, default, range, meaning", form, cmd_params};
 }
 
-int cmd_params(const Arguments& arguments) {
-    const auto values = parse_arguments(params_form(), arguments);
-    if (!values) return static_cast<int>(ExitCode::done);
-    if (values->count("ini") + values->count("json") + values->count("markdown") > 1) {
-        throw Error(ErrorKind::input, Problem{"more than one format is requested", "command line", "", "",
-                                              "Give one of --ini, --json, --markdown"});
-    }
-    const std::string locale = text_option(*values, "language").value_or("en");
-    const std::optional<Language> language = language_of_code(locale.substr(0, locale.find_first_of("_.@")));
-    if (!language)
-        throw Error(ErrorKind::input, Problem{"is not one of the languages", "--language", locale, language_codes(),
-                                              "Leave it out for English"});
-    std::cout << (values->count("json") > 0       ? reference_json(*language)
-                  : values->count("markdown") > 0 ? reference_markdown()
-                                                  : reference_ini());
-    return static_cast<int>(ExitCode::done);
-}
+namespace {
 
-CommandForm materials_form() {
-    return {"frana materials",
-            "Prints the material presets (material.preset): the sources of their values, their range, and the values.",
-            "",
-            {}};
-}
-
-int cmd_materials(const Arguments& arguments) {
-    if (!parse_arguments(materials_form(), arguments)) return static_cast<int>(ExitCode::done);
+int cmd_materials(const Options&) {
     std::ostringstream text;
     for (const MaterialPreset& preset : material_presets(materials_directory())) {
         if (text.tellp() > 0) text << '\n';
@@ -69,16 +64,17 @@ int cmd_materials(const Arguments& arguments) {
     return static_cast<int>(ExitCode::done);
 }
 
-CommandForm schemes_form() {
-    CommandForm form{"frana schemes [FILE.ini] [--friction]",
-                     "Prints the hazard schemes (hazard.scheme): their classes with limits, the source, and whether it "
-                     "was read; with --friction the friction tables (material.friction-table).\nWith a file of one's "
-                     "own: checks and prints that.",
-                     "FILE.ini",
-                     {}};
-    form.operand_optional = true;
-    form.options.add_options()("friction", "friction tables in place of hazard schemes");
-    return form;
+}  // namespace
+
+Command command_materials() {
+    return {
+        "materials", "the material presets",
+        CommandForm{
+            "frana materials",
+            "Prints the material presets (material.preset): the sources of their values, their range, and the values.",
+            "",
+            {}},
+        cmd_materials};
 }
 
 namespace {
@@ -138,15 +134,11 @@ void print_files(const std::vector<std::string>& files, const Read& read) {
     std::cout << folded(text, output_width());
 }
 
-}  // namespace
-
-int cmd_schemes(const Arguments& arguments) {
-    const auto values = parse_arguments(schemes_form(), arguments);
-    if (!values) return static_cast<int>(ExitCode::done);
-    const bool friction = values->count("friction") > 0;
+int cmd_schemes(const Options& values) {
+    const bool friction = values.count("friction") > 0;
     std::vector<std::string> files;
-    if (values->count("operand") > 0)
-        files = {(*values)["operand"].as<std::string>()};
+    if (values.count("operand") > 0)
+        files = {values["operand"].as<std::string>()};
     else
         files = data_files(share_directory(), friction ? k_friction_folder : k_scheme_folder);
     if (friction)
@@ -154,6 +146,20 @@ int cmd_schemes(const Arguments& arguments) {
     else
         print_files(files, read_scheme);
     return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace
+
+Command command_schemes() {
+    CommandForm form{"frana schemes [FILE.ini] [--friction]",
+                     "Prints the hazard schemes (hazard.scheme): their classes with limits, the source, and whether it "
+                     "was read; with --friction the friction tables (material.friction-table).\nWith a file of one's "
+                     "own: checks and prints that.",
+                     "FILE.ini",
+                     {}};
+    form.operand_optional = true;
+    form.options.add_options()("friction", "friction tables in place of hazard schemes");
+    return {"schemes", "the hazard schemes with their sources; checks a file of one's own", form, cmd_schemes};
 }
 
 }  // namespace frana::app

@@ -113,17 +113,6 @@ void install_plugin(const std::string& source, const std::string& target, const 
 
 }  // namespace
 
-CommandForm qgis_plugin_form() {
-    CommandForm form{"frana qgis-plugin --install [--profile NAME]",
-                     "Puts the QGIS plugin into a profile of QGIS (3.22 or newer). An older one is "
-                     "replaced whole. In QGIS, enable it once under Plugins, Manage and Install Plugins.",
-                     "",
-                     {}};
-    form.options.add_options()("install", "put it into the profile; prints its folder")(
-        "profile", one("NAME"), "name of the profile (default: default)");
-    return form;
-}
-
 namespace {
 
 constexpr const char* k_default_profile = "default";
@@ -151,14 +140,10 @@ const char* qgis_process() {
     return "qgis_process";
 }
 
-}  // namespace
-
-int cmd_qgis_plugin(const Arguments& arguments) {
-    const auto values = parse_arguments(qgis_plugin_form(), arguments);
-    if (!values) return static_cast<int>(ExitCode::done);
-    if (values->count("install") == 0)
+int cmd_qgis_plugin(const Options& values) {
+    if (values.count("install") == 0)
         throw Error(ErrorKind::input, Problem{"nothing to do", "command line", "", "", "Give --install"});
-    const std::string name = text_option(*values, "profile").value_or(k_default_profile);
+    const std::string name = text_option(values, "profile").value_or(k_default_profile);
     const fs::path profile = qgis_profile(name);
     const std::string target = (profile / "python" / "plugins" / "frana").string();
     const std::string working = (profile / "python" / "frana-plugin.partial").string();
@@ -174,6 +159,19 @@ int cmd_qgis_plugin(const Arguments& arguments) {
                  "qgis_process: "
               << qgis_process() << " plugins enable frana\n";
     return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace
+
+Command command_qgis_plugin() {
+    CommandForm form{"frana qgis-plugin --install [--profile NAME]",
+                     "Puts the QGIS plugin into a profile of QGIS (3.22 or newer). An older one is "
+                     "replaced whole. In QGIS, enable it once under Plugins, Manage and Install Plugins.",
+                     "",
+                     {}};
+    form.options.add_options()("install", "put it into the profile; prints its folder")(
+        "profile", one("NAME"), "name of the profile (default: default)");
+    return {"qgis-plugin", "put the plugin into a profile of QGIS", form, cmd_qgis_plugin};
 }
 
 }  // namespace frana::app

@@ -63,7 +63,7 @@ struct StartRequest {
     }
 };
 
-StartRequest read_start_request(const boost::program_options::variables_map& values, Problems& problems) {
+StartRequest read_start_request(const Options& values, Problems& problems) {
     StartRequest request;
     request.has_factor = values.count("friction-angle") > 0;
     for (std::size_t i = 0; i < std::size(k_start_quantities); ++i) {
@@ -154,36 +154,17 @@ std::int64_t cells_without_values(const StartRequest& request, const Raster& ter
     return count;
 }
 
-}  // namespace
-
-CommandForm release_form() {
-    CommandForm form{"frana release DTM --thickness METRES [options]",
-                     "Screens where masses may start: cells whose infinite slope has a factor of safety below 1, "
-                     "within\nlimits. Writes a layer that a scene takes as its release, and the factor as a GeoTIFF. "
-                     "It predicts\nneither whether nor when a slope fails. Thickness to density may be raster:FILE.",
-                     "DTM",
-                     {}};
-    for (const StartQuantity& row : k_start_quantities)
-        form.options.add_options()(row.option + 2, one(row.form), row.meaning);
-    form.options.add_options()("set", many("KEY=VALUE"), "a key of [terrain], for example terrain.cell-size=5")(
-        "out", one("FILE.gpkg"), "polygons to write (default: release.gpkg)")("overwrite", "replace existing files");
-    return form;
-}
-
-int cmd_release(const Arguments& arguments) {
-    const auto values = parse_arguments(release_form(), arguments);
-    if (!values) return static_cast<int>(ExitCode::done);
+int cmd_release(const Options& values) {
     Problems problems;
-    const std::string dtm = *text_option(*values, "operand"),
-                      out = text_option(*values, "out").value_or("release.gpkg"),
+    const std::string dtm = *text_option(values, "operand"), out = text_option(values, "out").value_or("release.gpkg"),
                       factor = fs::path(out).replace_extension().string() + "_factor.tif";
-    StartRequest request = read_start_request(*values, problems);
+    StartRequest request = read_start_request(values, problems);
     SceneReading reading;
     reading.label = "command line";
     reading.written["terrain.dtm"] = "DTM";
     SceneReader reader(reading, fs::current_path().string());
     reader.apply({Origin::command_line, "", {{"terrain.dtm", dtm}}});
-    reader.apply(override_source(text_options(*values, "set"), "--set ", problems));
+    reader.apply(override_source(text_options(values, "set"), "--set ", problems));
     for (const std::string& name : reader.given())
         if (!name.starts_with("terrain."))
             problems.add({"is not of the section [terrain]", "--set " + name, "", "", "Only the terrain is used"});
@@ -194,7 +175,7 @@ int cmd_release(const Arguments& arguments) {
     if (request.has_factor) files.push_back(factor);
     for (const SourceSpec& source : request.given) inputs.push_back(source.name);
     for (const std::string& file : files)
-        if (fs::exists(file) && values->count("overwrite") == 0)
+        if (fs::exists(file) && values.count("overwrite") == 0)
             problems.add({"exists already", "--out", file, "", "Choose another name, or add --overwrite"});
     refuse_inputs(files, inputs, "--out", problems);
     RunLog log(false);
@@ -235,6 +216,22 @@ int cmd_release(const Arguments& arguments) {
     if (!areas.empty())
         std::cerr << "frana: next: frana new " << dtm << ' ' << out << " --thickness attribute:thickness_vertical_m\n";
     return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace
+
+Command command_release() {
+    CommandForm form{"frana release DTM --thickness METRES [options]",
+                     "Screens where masses may start: cells whose infinite slope has a factor of safety below 1, "
+                     "within\nlimits. Writes a layer that a scene takes as its release, and the factor as a GeoTIFF. "
+                     "It predicts\nneither whether nor when a slope fails. Thickness to density may be raster:FILE.",
+                     "DTM",
+                     {}};
+    for (const StartQuantity& row : k_start_quantities)
+        form.options.add_options()(row.option + 2, one(row.form), row.meaning);
+    form.options.add_options()("set", many("KEY=VALUE"), "a key of [terrain], for example terrain.cell-size=5")(
+        "out", one("FILE.gpkg"), "polygons to write (default: release.gpkg)")("overwrite", "replace existing files");
+    return {"release", "screen where masses may start: a layer of release areas", form, cmd_release};
 }
 
 }  // namespace frana::app

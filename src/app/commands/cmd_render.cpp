@@ -25,7 +25,7 @@ namespace {
 
 constexpr double k_least_scale = 100, k_greatest_scale = 1e7;
 
-void read_title_block(const boost::program_options::variables_map& values, MapStyle& style, Problems& problems) {
+void read_title_block(const Options& values, MapStyle& style, Problems& problems) {
     style.author = text_option(values, "author").value_or(style.author);
     if (const auto date = text_option(values, "date")) style.date = date_on_maps(date, style.date);
     const auto logo = text_option(values, "logo");
@@ -36,7 +36,7 @@ void read_title_block(const boost::program_options::variables_map& values, MapSt
     });
 }
 
-void read_scale(const boost::program_options::variables_map& values, MapStyle& style, Problems& problems) {
+void read_scale(const Options& values, MapStyle& style, Problems& problems) {
     const auto text = text_option(values, "scale");
     if (!text) {
         // The scene's scale is for its own paper size.
@@ -76,7 +76,7 @@ Problem not_one_of(const std::string& option, const std::string& value, const st
 }
 
 /// Overrides the style by the options; adds their problems.
-void read_style(const boost::program_options::variables_map& values, MapStyle& style, Problems& problems) {
+void read_style(const Options& values, MapStyle& style, Problems& problems) {
     const auto given = [&](const std::string& name) { return text_option(values, name); };
     attempt(problems, [&] {
         if (const auto size = size_option(values)) style.size = *size;
@@ -128,42 +128,9 @@ void refuse_scale_that_does_not_fit(const MapSource& source, const MapLayer& lay
 
 }  // namespace
 
-CommandForm render_form() {
-    std::string codes;
-    for (const LanguageRow& row : languages()) codes += (codes.empty() ? "" : "|") + std::string(row.code);
-    CommandForm form{
-        "frana render RESULT_DIR|RASTER [options]",
-        "Draws maps and views of a result, or of any program's raster with --dtm, or the frames of a result as "
-        "an\nanimation. Nothing is computed again. Prints the names of the files. The style of pictures is written "
-        "from the scene's\noutput.map-... and output.view-... keys; options override them.",
-        "RESULT_DIR|RASTER",
-        {}};
-    form.options.add_options()(
-        "map", many("MAP"),
-        "raster to draw, for example max_depth; depth@12.5 is the frame nearest to "
-        "12.5 s, particles@12.5 its particles, particle_cohesion@12.5 the same coloured by cohesion left; "
-        "repeatable (default: all)")("view", one("2d|3d"), "2d (default) or 3d")(
-        "animation", one("FILE"),
-        "write the frames as FILE.mp4 or FILE.gif instead of maps; --map velocity shows speeds, --map particles the "
-        "particles")("charts", "draw the charts of a result instead of maps")(
-        "difference", one("RESULT_DIR"), "another result: draw the difference of --map, this result minus the other")(
-        "language", one(codes.c_str()),
-        ("of the texts: " + language_codes() + " (default: the result's output.language; for a RASTER the locale's)")
-            .c_str())("camera", one("ANGLES"), k_cameras)("exaggeration", one("FACTOR"),
-                                                          "vertical exaggeration of views (default: 1)")(
-        "plain", "views: white background")("dtm", one("FILE"), "terrain under a RASTER")(
-        "unit", one("UNIT"), "unit of the values of a RASTER, if the file does not state it")(
-        "above", one("VALUE"), "draw only the values of a RASTER above this one")(
-        "out", one("FOLDER"), "folder for the pictures (default: RESULT_DIR/maps, or the current folder for a RASTER)");
-    add_style_options(form);
-    return form;
-}
-
 namespace {
 
 namespace fs = std::filesystem;
-
-using Values = boost::program_options::variables_map;
 
 /// The requested outputs, as far as they do not depend on the files.
 struct Request {
@@ -174,7 +141,7 @@ struct Request {
     std::string animation_of = "depth";
 };
 
-Request read_request(const Values& values, Problems& problems) {
+Request read_request(const Options& values, Problems& problems) {
     Request request;
     const std::string view = text_option(values, "view").value_or("2d");
     if (view != "2d" && view != "3d") problems.add(not_one_of("view", view, "2d, 3d"));
@@ -210,7 +177,7 @@ Request read_request(const Values& values, Problems& problems) {
 }
 
 /// Called before anything is drawn or written. `animation`: 0 if none is requested.
-void refuse_too_large(const Values& values, const Request& request, Size page, Size animation, std::int64_t cells) {
+void refuse_too_large(const Options& values, const Request& request, Size page, Size animation, std::int64_t cells) {
     Drawing drawing;
     drawing.cells = cells;
     (request.animation ? drawing.animation : drawing.page) = request.animation ? animation : page;
@@ -286,7 +253,7 @@ std::vector<MapLayer> difference_layers(const ResultReader& result, const Reques
     return layers;
 }
 
-void render_result(const Values& values, const Request& request, Problems& problems) {
+void render_result(const Options& values, const Request& request, Problems& problems) {
     const ResultReader result((values)["operand"].as<std::string>(), request.language);
     for (const char* option : {"dtm", "unit", "above"}) {
         if (values.count(option) > 0)
@@ -328,7 +295,7 @@ void render_result(const Values& values, const Request& request, Problems& probl
     }
 }
 
-void render_raster(const Values& values, const Request& request, Problems& problems) {
+void render_raster(const Options& values, const Request& request, Problems& problems) {
     const std::string file = values["operand"].as<std::string>();
     for (const char* option : {"map", "animation", "charts", "difference"}) {
         if (values.count(option) > 0)
@@ -357,19 +324,48 @@ void render_raster(const Values& values, const Request& request, Problems& probl
           {file, text_option(values, "dtm").value_or(""), style.logo, style.background}});
 }
 
+int cmd_render(const Options& values) {
+    Problems problems;
+    const Request request = read_request(values, problems);
+    refuse_scene(values["operand"].as<std::string>());
+    if (fs::is_regular_file(values["operand"].as<std::string>()))
+        render_raster(values, request, problems);
+    else
+        render_result(values, request, problems);
+    return static_cast<int>(ExitCode::done);
+}
+
 }  // namespace
 
-int cmd_render(const Arguments& arguments) {
-    const auto values = parse_arguments(render_form(), arguments);
-    if (!values) return static_cast<int>(ExitCode::done);
-    Problems problems;
-    const Request request = read_request(*values, problems);
-    refuse_scene((*values)["operand"].as<std::string>());
-    if (fs::is_regular_file((*values)["operand"].as<std::string>()))
-        render_raster(*values, request, problems);
-    else
-        render_result(*values, request, problems);
-    return static_cast<int>(ExitCode::done);
+Command command_render() {
+    std::string codes;
+    for (const LanguageRow& row : languages()) codes += (codes.empty() ? "" : "|") + std::string(row.code);
+    CommandForm form{
+        "frana render RESULT_DIR|RASTER [options]",
+        "Draws maps and views of a result, or of any program's raster with --dtm, or the frames of a result as "
+        "an\nanimation. Nothing is computed again. Prints the names of the files. The style of pictures is written "
+        "from the scene's\noutput.map-... and output.view-... keys; options override them.",
+        "RESULT_DIR|RASTER",
+        {}};
+    form.options.add_options()(
+        "map", many("MAP"),
+        "raster to draw, for example max_depth; depth@12.5 is the frame nearest to "
+        "12.5 s, particles@12.5 its particles, particle_cohesion@12.5 the same coloured by cohesion left; "
+        "repeatable (default: all)")("view", one("2d|3d"), "2d (default) or 3d")(
+        "animation", one("FILE"),
+        "write the frames as FILE.mp4 or FILE.gif instead of maps; --map velocity shows speeds, --map particles the "
+        "particles")("charts", "draw the charts of a result instead of maps")(
+        "difference", one("RESULT_DIR"), "another result: draw the difference of --map, this result minus the other")(
+        "language", one(codes.c_str()),
+        ("of the texts: " + language_codes() + " (default: the result's output.language; for a RASTER the locale's)")
+            .c_str())("camera", one("ANGLES"), k_cameras)("exaggeration", one("FACTOR"),
+                                                          "vertical exaggeration of views (default: 1)")(
+        "plain", "views: white background")("dtm", one("FILE"), "terrain under a RASTER")(
+        "unit", one("UNIT"), "unit of the values of a RASTER, if the file does not state it")(
+        "above", one("VALUE"), "draw only the values of a RASTER above this one")(
+        "out", one("FOLDER"), "folder for the pictures (default: RESULT_DIR/maps, or the current folder for a RASTER)");
+    add_style_options(form);
+    return {"render", "draw maps, views or an animation of a result", form, cmd_render};
 }
 
 }  // namespace frana::app

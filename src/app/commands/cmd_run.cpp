@@ -33,29 +33,6 @@
 #include "simulation/simulation.h"
 
 namespace frana::app {
-
-CommandForm run_form() {
-    CommandForm form{"frana run SCENE.ini [options]",
-                     "Computes a scene and writes the result directory: GeoTIFFs, outlines, maps, animation, series, "
-                     "summary,\nand the comparison with an observed outline if one is given.",
-                     "SCENE.ini",
-                     {}};
-    form.options.add_options()("out", one("FOLDER"),
-                               "result directory, from the current folder (overrides output.directory)")(
-        "set", many("KEY=VALUE"),
-        "section.key=value, overrides the scene; repeatable; paths are relative to the scene file")(
-        "threads", one("N"), "number of threads (default: all processors)")("overwrite", "replace an existing result")(
-        "strict", k_strict_meaning)("resume",
-                                    "resume a run that was stopped or killed; without one, start at the beginning")(
-        "accuracy", one("PERCENT"),
-        "allowed error by estimate (5%): coarser cells as far as it allows (overrides numerics.accuracy)")(
-        "memory-limit", one("SIZE"), "refuse a run that would need more (4GB, 500MB)")(
-        "quiet,q", "no progress, no warnings on the terminal (they are in log.txt)")(
-        "progress", one("json"), "a line of JSON on stderr twice a second: fraction, simulated time, time left")(
-        "json", "print one JSON document for scripts instead (share/doc/scripts.md)");
-    return form;
-}
-
 namespace {
 
 ExitCode exit_code(const RunResult& result, const PictureOutcome& pictures) {
@@ -137,7 +114,7 @@ struct RunInput {
 };
 
 // The overrides of the command line, --accuracy among them.
-std::vector<std::string> overrides(const boost::program_options::variables_map& values) {
+std::vector<std::string> overrides(const Options& values) {
     std::vector<std::string> all = text_options(values, "set");
     if (const auto accuracy = text_option(values, "accuracy")) all.push_back("numerics.accuracy=" + *accuracy);
     return all;
@@ -260,7 +237,7 @@ int run_into(const RunInput& input, CheckpointFile* from, ResultDirectory& direc
     return refused ? static_cast<int>(ExitCode::numerical) : code;
 }
 
-bool wants_json_progress(const boost::program_options::variables_map& values) {
+bool wants_json_progress(const Options& values) {
     const auto progress = text_option(values, "progress");
     if (progress && *progress != "json")
         throw Error(ErrorKind::input, Problem{"is not a form of progress", "--progress", *progress, "json", ""});
@@ -308,7 +285,7 @@ void require_complete(const Prepared& prepared, const std::string& directory) {
                             directory, "", "", "Restore them, or compute the scene again with --overwrite"});
 }
 
-int run_scene(const boost::program_options::variables_map& values, std::string& target, RunLog& log) {
+int run_scene(const Options& values, std::string& target, RunLog& log) {
     const Stopwatch since_start;
     const int threads = thread_count(values);
     const bool quiet = values.count("quiet") > 0;
@@ -398,16 +375,36 @@ void print_run_document(const std::string& target, int code, RunLog& log) {
     print_document(document);
 }
 
+int cmd_run(const Options& values) {
+    RunLog log(values.count("quiet") > 0);
+    std::string target;
+    const int code = run_scene(values, target, log);
+    if (values.count("json") > 0) print_run_document(target, code, log);
+    return code;
+}
+
 }  // namespace
 
-int cmd_run(const Arguments& arguments) {
-    const auto values = parse_arguments(run_form(), arguments);
-    if (!values) return static_cast<int>(ExitCode::done);
-    RunLog log(values->count("quiet") > 0);
-    std::string target;
-    const int code = run_scene(*values, target, log);
-    if (values->count("json") > 0) print_run_document(target, code, log);
-    return code;
+Command command_run() {
+    CommandForm form{"frana run SCENE.ini [options]",
+                     "Computes a scene and writes the result directory: GeoTIFFs, outlines, maps, animation, series, "
+                     "summary,\nand the comparison with an observed outline if one is given.",
+                     "SCENE.ini",
+                     {}};
+    form.options.add_options()("out", one("FOLDER"),
+                               "result directory, from the current folder (overrides output.directory)")(
+        "set", many("KEY=VALUE"),
+        "section.key=value, overrides the scene; repeatable; paths are relative to the scene file")(
+        "threads", one("N"), "number of threads (default: all processors)")("overwrite", "replace an existing result")(
+        "strict", k_strict_meaning)("resume",
+                                    "resume a run that was stopped or killed; without one, start at the beginning")(
+        "accuracy", one("PERCENT"),
+        "allowed error by estimate (5%): coarser cells as far as it allows (overrides numerics.accuracy)")(
+        "memory-limit", one("SIZE"), "refuse a run that would need more (4GB, 500MB)")(
+        "quiet,q", "no progress, no warnings on the terminal (they are in log.txt)")(
+        "progress", one("json"), "a line of JSON on stderr twice a second: fraction, simulated time, time left")(
+        "json", "print one JSON document for scripts instead (share/doc/scripts.md)");
+    return {"run", "compute a scene; write rasters, maps, animation, comparison", form, cmd_run};
 }
 
 }  // namespace frana::app

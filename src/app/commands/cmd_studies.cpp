@@ -289,18 +289,16 @@ void require_kind(const std::string& file, study::StudyKind kind) {
 
 /// Runs the members of a study, region or calibration and writes what they say together. Returns the exit code; throws
 /// Error.
-int run_study(const CommandForm& form, study::StudyKind kind, const Arguments& arguments) {
+int run_study(study::StudyKind kind, const Options& values) {
     const Stopwatch since_start;
-    const auto values = parse_arguments(form, arguments);
-    if (!values) return static_cast<int>(ExitCode::done);
-    const std::string file = (*values)["operand"].as<std::string>();
+    const std::string file = values["operand"].as<std::string>();
     require_kind(file, kind);
     OtherRanks ranks;
-    const auto more = text_option(*values, "extend");
+    const auto more = text_option(values, "extend");
     if (more && ranks.job)
         throw Error(ErrorKind::input,
                     Problem{"cannot be used under mpirun", "--extend", *more, "", "Start one process"});
-    const int threads = ranks.job && values->count("threads") == 0 ? 1 : thread_count(*values);
+    const int threads = ranks.job && values.count("threads") == 0 ? 1 : thread_count(values);
     if (ranks.job && ranks.job->rank() > 0) {
         const auto read = [&] {
             RunLog silent(true);
@@ -309,13 +307,13 @@ int run_study(const CommandForm& form, study::StudyKind kind, const Arguments& a
         study::work_for_rank_0(*ranks.job, read, file, threads);
         return static_cast<int>(ExitCode::done);
     }
-    const bool quiet = values->count("quiet") > 0, discards = values->count("overwrite") > 0,
-               overwrite = discards || more, resume = values->count("resume") > 0;
+    const bool quiet = values.count("quiet") > 0, discards = values.count("overwrite") > 0,
+               overwrite = discards || more, resume = values.count("resume") > 0;
     RunLog log(quiet);
-    const Session session = session_of(*values, log);
+    const Session session = session_of(values, log);
 
     study::StudyInput texts = study::read_study_texts(file, kind, session, log);
-    const auto out = text_option(*values, "out");
+    const auto out = text_option(values, "out");
     const std::string place = out.value_or(study_directory(texts.reading.study, texts.central.scene)),
                       target = result_path(place);
     if (more)
@@ -366,12 +364,12 @@ int run_study(const CommandForm& form, study::StudyKind kind, const Arguments& a
     log.note("computed " + std::to_string(ran.computed) + " " + words.members + " in " +
              number_text(since_start.seconds(), 3) + " s");
     const study::StudyOutcome outcome = publish(input, ran, all_threads, since_start, directory, log);
-    return publish_result(input.identity, outcome, values->count("strict") > 0, directory, log);
+    return publish_result(input.identity, outcome, values.count("strict") > 0, directory, log);
 }
 
 }  // namespace
 
-CommandForm ensemble_form() {
+Command command_ensemble() {
     CommandForm form =
         study_form("ensemble",
                    "Runs a scene many times with values drawn from their distributions and writes what the runs say "
@@ -379,35 +377,28 @@ CommandForm ensemble_form() {
                    "that of the scene, with -ensemble", "study");
     form.options.add_options()("extend", one("N"),
                                "add so many members to a complete study (sampling sobol or random)");
-    return form;
+    return {"ensemble", "many runs with uncertain values: probabilities, sensitivities", form,
+            [](const Options& values) { return run_study(study::StudyKind::ensemble, values); }, true};
 }
 
-int cmd_ensemble(const Arguments& arguments) {
-    return run_study(ensemble_form(), study::StudyKind::ensemble, arguments);
+Command command_batch() {
+    return {"batch", "each polygon of a layer as a slope of its own: union, scenarios, degree of hazard",
+            study_form("batch",
+                       "Runs each polygon of a release layer as a slope of its own and "
+                       "writes their union:\ngreatest depth, speed and pressure, how many slopes reach each cell and "
+                       "which is the worst, maps of each scenario,\nthe degree of hazard, one table, one project.",
+                       "that of the scene, with -region", "region", "REGION.ini"),
+            [](const Options& values) { return run_study(study::StudyKind::region, values); }, true};
 }
 
-CommandForm batch_form() {
-    return study_form("batch",
-                      "Runs each polygon of a release layer as a slope of its own and "
-                      "writes their union:\ngreatest depth, speed and pressure, how many slopes reach each cell and "
-                      "which is the worst, maps of each scenario,\nthe degree of hazard, one table, one project.",
-                      "that of the scene, with -region", "region", "REGION.ini");
-}
-
-int cmd_batch(const Arguments& arguments) {
-    return run_study(batch_form(), study::StudyKind::region, arguments);
-}
-
-CommandForm calibrate_form() {
-    return study_form(
-        "calibrate",
-        "Finds the values of uncertain keys that explain one or several surveyed events, and how uncertain "
-        "they stay:\na table of weighted members that `frana ensemble` takes, with charts and a report.",
-        "that of the first scene, with -calibration", "calibration");
-}
-
-int cmd_calibrate(const Arguments& arguments) {
-    return run_study(calibrate_form(), study::StudyKind::calibration, arguments);
+Command command_calibrate() {
+    return {
+        "calibrate", "values that explain surveyed events, and how uncertain they stay",
+        study_form("calibrate",
+                   "Finds the values of uncertain keys that explain one or several surveyed events, and how uncertain "
+                   "they stay:\na table of weighted members that `frana ensemble` takes, with charts and a report.",
+                   "that of the first scene, with -calibration", "calibration"),
+        [](const Options& values) { return run_study(study::StudyKind::calibration, values); }, true};
 }
 
 }  // namespace frana::app

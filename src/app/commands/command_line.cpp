@@ -23,28 +23,16 @@
 
 namespace frana::app {
 
+/// Each in its cmd_NAME.cpp.
+Command command_new(), command_release(), command_run(), command_check(), command_render(), command_compare(),
+    command_params(), command_materials(), command_schemes(), command_converge(), command_ensemble(), command_batch(),
+    command_calibrate(), command_qgis_plugin();
+
 const std::vector<Command>& commands() {
     static const std::vector<Command> list{
-        {"new", "write a commented scene to begin with", new_form, cmd_new},
-        {"release", "screen where masses may start: a layer of release areas", release_form, cmd_release},
-        {"run", "compute a scene; write rasters, maps, animation, comparison", run_form, cmd_run},
-        {"check", "validate a scene, a study or a region and print what would run; writes nothing", check_form,
-         cmd_check},
-        {"render", "draw maps, views or an animation of a result", render_form, cmd_render},
-        {"compare", "compare a result with a surveyed outline", compare_form, cmd_compare},
-        {"params", "every key of a scene file: type, unit, default, range, meaning", params_form, cmd_params},
-        {"materials", "the material presets", materials_form, cmd_materials},
-        {"schemes", "the hazard schemes with their sources; checks a file of one's own", schemes_form, cmd_schemes},
-        {"converge", "the scene at several resolutions: estimated error", converge_form, cmd_converge},
-        {"ensemble", "many runs with uncertain values: probabilities, sensitivities", ensemble_form, cmd_ensemble,
-         true},
-        {"batch", "each polygon of a layer as a slope of its own: union, scenarios, degree of hazard", batch_form,
-         cmd_batch, true},
-        {"calibrate", "values that explain surveyed events, and how uncertain they stay", calibrate_form, cmd_calibrate,
-         true},
-        {"bench", "tests of frana: exact solutions, hard cases, throughput", bench_form, cmd_bench},
-        {"qgis-plugin", "put the plugin into a profile of QGIS", qgis_plugin_form, cmd_qgis_plugin},
-    };
+        command_new(),      command_release(), command_run(),       command_check(),   command_render(),
+        command_compare(),  command_params(),  command_materials(), command_schemes(), command_converge(),
+        command_ensemble(), command_batch(),   command_calibrate(), command_bench(),   command_qgis_plugin()};
     return list;
 }
 
@@ -58,7 +46,7 @@ std::string help_text() {
         text += right + "\n";
     };
     for (const Command& command : commands()) {
-        std::istringstream lines(command.form().usage);
+        std::istringstream lines(command.form.usage);
         std::vector<std::string> forms;
         for (std::string line; std::getline(lines, line);) {
             std::string words = line.substr(line.find("frana ") + 6);
@@ -94,7 +82,7 @@ constexpr std::array<std::array<const char*, 2>, 8> k_gone_options{{
 }};
 
 /// An empty argument, from an unset variable of a script, would replace the intended folder or file.
-void refuse_empty_words(const options::variables_map& values, const CommandForm& form) {
+void refuse_empty_words(const Options& values, const CommandForm& form) {
     Problems problems;
     const auto check = [&](const std::string& name, const std::string& word) {
         if (!word.empty()) return;
@@ -113,8 +101,7 @@ void refuse_empty_words(const options::variables_map& values, const CommandForm&
 
 }  // namespace
 
-std::optional<options::variables_map> parse_arguments(const CommandForm& form,
-                                                      const std::vector<std::string>& arguments) {
+std::optional<Options> parse_arguments(const CommandForm& form, const Arguments& arguments) {
     const auto columns = static_cast<unsigned>(std::clamp(output_width(), k_least_help, k_most_help));
     options::options_description visible("Options", columns, columns / 2);
     for (const auto& option : form.options.options()) visible.add(option);
@@ -128,7 +115,8 @@ std::optional<options::variables_map> parse_arguments(const CommandForm& form,
             all.add_options()("operand", options::value<std::string>());
         positions.add("operand", form.repeats ? -1 : 1);
     }
-    options::variables_map values;
+    Options values;
+    values.words = arguments;
     try {
         // Guessing abbreviations would turn a misspelt option into another one.
         using namespace options::command_line_style;
@@ -158,17 +146,22 @@ std::optional<options::variables_map> parse_arguments(const CommandForm& form,
     return values;
 }
 
-std::optional<std::string> text_option(const options::variables_map& values, const std::string& name) {
+int run_command(const Command& command, const Arguments& arguments) {
+    const auto values = parse_arguments(command.form, arguments);
+    return values ? command.run(*values) : static_cast<int>(ExitCode::done);
+}
+
+std::optional<std::string> text_option(const Options& values, const std::string& name) {
     if (values.count(name) == 0) return std::nullopt;
     return values[name].as<std::string>();
 }
 
-std::vector<std::string> text_options(const options::variables_map& values, const std::string& name) {
+std::vector<std::string> text_options(const Options& values, const std::string& name) {
     if (values.count(name) == 0) return {};
     return values[name].as<std::vector<std::string>>();
 }
 
-int thread_count(const options::variables_map& values) {
+int thread_count(const Options& values) {
     constexpr std::int64_t k_most_threads = 1024;
     const auto text = text_option(values, "threads");
     if (!text) return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
@@ -180,7 +173,7 @@ int thread_count(const options::variables_map& values) {
     return static_cast<int>(*count);
 }
 
-std::optional<Size> size_option(const options::variables_map& values) {
+std::optional<Size> size_option(const Options& values) {
     const auto text = text_option(values, "size");
     if (!text) return std::nullopt;
     const auto size = size_from_text(*text);
@@ -191,7 +184,7 @@ std::optional<Size> size_option(const options::variables_map& values) {
     return size;
 }
 
-std::optional<double> threshold_option(const options::variables_map& values) {
+std::optional<double> threshold_option(const Options& values) {
     const auto text = text_option(values, "threshold");
     if (!text) return std::nullopt;
     const auto metres = number_from_text(*text);

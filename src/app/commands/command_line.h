@@ -19,61 +19,11 @@ namespace frana::app {
 enum class ExitCode { done = 0, input = 2, numerical = 3, environment = 4, signal = 128 };
 
 using Arguments = std::vector<std::string>;
-struct CommandForm;
 
-/// A row of the table from which `frana --help` and the dispatch follow; share/package/documents.sh makes completion of
-/// shells and manual pages of the help.
-struct Command {
-    const char* name;
-    const char* summary;    ///< one line
-    CommandForm (*form)();  ///< its operands and options
-    /// Takes the arguments after the name, prints the requested output to stdout and returns the exit code. Throws
-    /// Error.
-    int (*run)(const Arguments&);
-    /// Whether the processes that mpirun started share its work; of other commands the first alone goes on.
-    bool uses_ranks = false;
+/// The options of a command as given, and the words that gave them.
+struct Options : boost::program_options::variables_map {
+    Arguments words;
 };
-
-/// Every command, in the order of the help.
-const std::vector<Command>& commands();
-
-/// The text of `frana --help`.
-std::string help_text();
-/// What the exit codes mean, as one paragraph.
-inline constexpr const char* k_exit_codes =
-    "0 done; 2 usage, wrong configuration or input data; 3 numerical failure; 4 environment (disk,\nrights, graphics); "
-    "129, 130, 143 stopped by a signal.";
-
-CommandForm run_form();
-int cmd_run(const Arguments& arguments);
-CommandForm check_form();
-int cmd_check(const Arguments& arguments);
-CommandForm render_form();
-int cmd_render(const Arguments& arguments);
-CommandForm compare_form();
-int cmd_compare(const Arguments& arguments);
-CommandForm converge_form();
-int cmd_converge(const Arguments& arguments);
-CommandForm ensemble_form();
-int cmd_ensemble(const Arguments& arguments);
-CommandForm batch_form();
-int cmd_batch(const Arguments& arguments);
-CommandForm calibrate_form();
-int cmd_calibrate(const Arguments& arguments);
-CommandForm bench_form();
-int cmd_bench(const Arguments& arguments);
-CommandForm new_form();
-int cmd_new(const Arguments& arguments);
-CommandForm release_form();
-int cmd_release(const Arguments& arguments);
-CommandForm params_form();
-int cmd_params(const Arguments& arguments);
-CommandForm qgis_plugin_form();
-int cmd_qgis_plugin(const Arguments& arguments);
-CommandForm materials_form();
-int cmd_materials(const Arguments& arguments);
-CommandForm schemes_form();
-int cmd_schemes(const Arguments& arguments);
 
 /// One command: the text of `frana COMMAND --help` and the accepted arguments.
 struct CommandForm {
@@ -84,6 +34,29 @@ struct CommandForm {
     bool repeats = false;  ///< the positional argument may be given more than once
     bool operand_optional = false;
 };
+
+/// A row of the table from which `frana --help` and the dispatch follow; share/package/documents.sh makes completion of
+/// shells and manual pages of the help.
+struct Command {
+    const char* name;
+    const char* summary;  ///< one line
+    CommandForm form;
+    /// Prints the requested output to stdout and returns the exit code. Throws Error.
+    int (*run)(const Options& values);
+    /// Whether the processes that mpirun started share its work; of other commands the first alone goes on.
+    bool uses_ranks = false;
+};
+
+Command command_bench();  // of the program frana-bench, too
+/// Every command, in the order of the help.
+const std::vector<Command>& commands();
+
+/// The text of `frana --help`.
+std::string help_text();
+/// What the exit codes mean, as one paragraph.
+inline constexpr const char* k_exit_codes =
+    "0 done; 2 usage, wrong configuration or input data; 3 numerical failure; 4 environment (disk,\nrights, graphics); "
+    "129, 130, 143 stopped by a signal.";
 
 /// Meaning of --strict, which run, ensemble, batch and calibrate have.
 inline constexpr const char* k_strict_meaning =
@@ -100,20 +73,21 @@ inline auto* many(const char* name) {
 
 /// Reads the arguments of a command. None: help was requested and printed, and nothing else is to be done. Throws
 /// Error(input) for anything not in the form, or if the operand is missing.
-std::optional<boost::program_options::variables_map> parse_arguments(const CommandForm& form,
-                                                                     const std::vector<std::string>& arguments);
+std::optional<Options> parse_arguments(const CommandForm& form, const Arguments& arguments);
+/// Parses the arguments and runs the command.
+int run_command(const Command& command, const Arguments& arguments);
 
 /// Returns a text option, if it was given.
-std::optional<std::string> text_option(const boost::program_options::variables_map& values, const std::string& name);
+std::optional<std::string> text_option(const Options& values, const std::string& name);
 /// Returns all texts of an option that may be repeated.
-std::vector<std::string> text_options(const boost::program_options::variables_map& values, const std::string& name);
+std::vector<std::string> text_options(const Options& values, const std::string& name);
 /// Returns --threads: as given (1 to 1024), else the number of processors available to this process. Throws
 /// Error(input).
-int thread_count(const boost::program_options::variables_map& values);
+int thread_count(const Options& values);
 /// Returns --size WxH. Throws Error(input).
-std::optional<Size> size_option(const boost::program_options::variables_map& values);
+std::optional<Size> size_option(const Options& values);
 /// Returns --threshold in metres, greater than 0. Throws Error(input).
-std::optional<double> threshold_option(const boost::program_options::variables_map& values);
+std::optional<double> threshold_option(const Options& values);
 
 /// Throws Error(input) if the word of a command that takes a result or a raster names a scene.
 inline void refuse_scene(const std::string& operand) {

@@ -287,7 +287,7 @@ std::int64_t most_memory_of_run(const Prepared& prepared, std::int64_t in_use, c
                              {std::max(expected.particles, crowded), most_steps(prepared, expected)});
 }
 
-Session session_of(const boost::program_options::variables_map& values, RunLog& log) {
+Session session_of(const Options& values, RunLog& log) {
     const auto text = text_option(values, "memory-limit");
     return {text ? memory_limit_from_text(*text, log) : 0};
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <boost/program_options/variables_map.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/ground_statistics.h"
+#include "app/commands/command_line.h"
 #include "app/input/prepare.h"
 #include "app/study/plan/study_input.h"
 #include "app/text/run_log.h"
@@ -52,7 +52,7 @@ struct SchemeTime {
 SchemeTime scheme_time(const SceneReading& reading, int threads);
 
 /// Returns what a command's options say for all that it reads and runs; see memory_limit_from_text.
-Session session_of(const boost::program_options::variables_map& values, RunLog& log);
+Session session_of(const Options& values, RunLog& log);
 
 /// Throws Error(input) if a run needs more than is available. `in_use`: memory of this process with all inputs read. A
 /// trial run is made only if the result depends on the flow.

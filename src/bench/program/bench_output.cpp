@@ -97,8 +97,7 @@ render::Image speed_chart(const bench::SpeedResult& result) {
 
 namespace fs = std::filesystem;
 
-std::optional<BenchOutput> bench_output(const boost::program_options::variables_map& values,
-                                        const std::vector<const char*>& names) {
+std::optional<BenchOutput> bench_output(const Options& values, const std::vector<const char*>& names) {
     const auto folder = text_option(values, "out");
     if (!folder) return {};
     BenchOutput output(*folder, names);

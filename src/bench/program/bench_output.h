@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <boost/program_options/variables_map.hpp>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/commands/command_line.h"
 #include "app/store/manifest.h"
 #include "app/store/own_files.h"
 #include "bench/accuracy/accuracy.h"
@@ -46,8 +46,7 @@ class BenchOutput {
 /// Returns the output of --out, if given; the folder is made before anything is computed, so that an invalid one is
 /// reported first.
 /// Throws Error(input) if a file would replace one that frana did not write, Error(environment).
-std::optional<BenchOutput> bench_output(const boost::program_options::variables_map& values,
-                                        const std::vector<const char*>& names);
+std::optional<BenchOutput> bench_output(const Options& values, const std::vector<const char*>& names);
 
 /// Prints the text of a bench; returns the exit code.
 int print_bench(const std::string& text, bool good = true);

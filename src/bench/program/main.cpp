@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <boost/program_options/variables_map.hpp>
 #include <filesystem>
 #include <iostream>
 #include <string>
@@ -36,7 +35,7 @@ std::optional<Raster> sample_terrain() {
     return gis::read_result_raster(file.lexically_normal().string());
 }
 
-int bench_accuracy(const boost::program_options::variables_map& values) {
+int bench_accuracy(const Options& values) {
     const auto out = bench_output(values, {"accuracy.csv", "accuracy.png"});
     bench::AccuracyOptions options;
     options.quick = values.count("quick") > 0;
@@ -57,7 +56,7 @@ int bench_accuracy(const boost::program_options::variables_map& values) {
     return print_bench(bench::accuracy_table(rows));
 }
 
-int bench_stability(const boost::program_options::variables_map& values) {
+int bench_stability(const Options& values) {
     const auto out = bench_output(values, {"stability.csv"});
     bench::StabilityOptions options;
     options.only = text_options(values, "case");
@@ -74,7 +73,7 @@ int bench_stability(const boost::program_options::variables_map& values) {
     return print_bench(bench::stability_table(rows), passed);
 }
 
-int bench_speed(const boost::program_options::variables_map& values) {
+int bench_speed(const Options& values) {
     const auto out = bench_output(values, {"speed.csv", "speed.png"});
     bench::SpeedOptions options;
     options.quick = values.count("quick") > 0;
@@ -91,7 +90,7 @@ int bench_speed(const boost::program_options::variables_map& values) {
 }
 
 int run_bench(Arguments words) {
-    const auto values = parse_arguments(bench_form(), {words.begin() + 1, words.end()});
+    const auto values = parse_arguments(command_bench().form, {words.begin() + 1, words.end()});
     if (!values) return static_cast<int>(ExitCode::done);
     const auto operands = text_options(*values, "operand");
     const std::string& which = operands.front();
