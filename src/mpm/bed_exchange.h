@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mpm/curvature.h"
+#include "mpm/erodible_bed.h"
 #include "mpm/node_grid.h"
 #include "mpm/shape.h"
 #include "mpm/update_nodes.h"
@@ -14,7 +15,7 @@
 #include "particles/tile_order.h"
 #include "physics/bed_contact.h"
 #include "physics/bed_state.h"
-#include "physics/pore_pressure.h"
+#include "physics/parameters.h"
 
 namespace frana {
 
@@ -72,38 +73,6 @@ void add_friction(const NodeRange& range, const Law& law, const NodeGrid& nodes,
     range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t, std::int64_t) {
         if (nodes.mass(i) > 0) law(states[i], i);
     });
-}
-
-/// The erodible and the deposited bed under a node, averaged over the cell, vertical.
-struct ErodibleBed {
-    double erodible;   ///< at the start [m]
-    double eroded;     ///< so far [m]
-    double deposited;  ///< so far [m]
-    double gain;       ///< in this step, as a fraction of the node's volume [-]
-    double loss;       ///< the same for deposition [-]
-    double change;     ///< of the bed in this step by erosion or deposition [m]
-    double forest;     ///< detrainment coefficient of the stand; 0: none [Pa]
-    double held;       ///< by forest in this step [m]
-    double kept;       ///< the sum of it, a part of `deposited` that is not eroded again [m]
-};
-
-/// Amounts exchanged between bed and flow.
-struct ExchangeReport {
-    double eroded = 0, deposited = 0;       ///< [m3]
-    double momentum_x = 0, momentum_y = 0;  ///< of the deposited material, over density [m4/s]
-
-    void merge(const ExchangeReport& r) noexcept {
-        eroded += r.eroded;
-        deposited += r.deposited;
-        momentum_x += r.momentum_x;
-        momentum_y += r.momentum_y;
-    }
-};
-
-template <class Archive>
-void serialise(Archive& archive, ExchangeReport& report) {
-    auto& [eroded, deposited, momentum_x, momentum_y] = report;
-    archive(eroded, deposited, momentum_x, momentum_y);
 }
 
 /// Computes erosion (or, where nothing is eroded, deposition) at a tile's nodes in this step. Follows update_nodes,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "mpm/bed_exchange.h"
+#include "mpm/erodible_bed.h"
 #include "mpm/node_grid.h"
 
 namespace frana {

@@ -6,8 +6,9 @@
 
 #include "core/geometry.h"
 #include "core/lanes.h"
+#include "physics/bed_state.h"
 #include "physics/friction_sum.h"
-#include "physics/friction_voellmy.h"
+#include "physics/parameters.h"
 
 namespace frana {
 

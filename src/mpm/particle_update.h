@@ -11,7 +11,7 @@
 #include "mpm/shifting.h"
 #include "mpm/stable_step.h"
 #include "particles/particle_set.h"
-#include "physics/stress_bingham.h"
+#include "physics/strain_rate.h"
 
 namespace frana {
 

@@ -31,8 +31,7 @@ struct ShearStressDeposition {
                                   {0, 1e6, true}, "Shear stress above which there is no deposition.")};
     }
     static Law row() { return {.sentence = worded("deposition under a critical shear stress")}; }
-    template <class Entrainment>
-    static ShearStressDeposition build(const Entrainment& e, double) {
+    static ShearStressDeposition build(const auto& e, double) {
         return {e.deposition_rate.value(), e.deposition_shear.value()};
     }
 

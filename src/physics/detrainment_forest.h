@@ -26,10 +26,7 @@ struct ForestDetrainment {
                                   {0, 1e4}, "Detrainment coefficient K of forest, everywhere.")};
     }
     static Law row() { return {.sentence = worded("detrainment by forest")}; }
-    template <class Entrainment>
-    static ForestDetrainment build(const Entrainment&, double density) {
-        return {density};
-    }
+    static ForestDetrainment build(const auto&, double density) { return {density}; }
 
     double density = k_flow_density;  ///< rho [kg/m3]
 

@@ -26,10 +26,7 @@ struct GrowthErosion {
     static Law row() {
         return {.sentence = worded("erosion by exponential growth"), .needs = {"entrainment.erodible-depth"}};
     }
-    template <class Entrainment>
-    static GrowthErosion build(const Entrainment& e, double) {
-        return {e.growth_rate.value()};
-    }
+    static GrowthErosion build(const auto& e, double) { return {e.growth_rate.value()}; }
 
     double growth_rate = 1e-3;  ///< E_s [1/m]
 

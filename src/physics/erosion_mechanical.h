@@ -38,8 +38,7 @@ struct MechanicalErosion {
                     "Pore pressure over total normal stress in the bed.", shortest_text(law.bed_pore_pressure))};
     }
     static Law row() { return {.sentence = worded("mechanical erosion"), .needs = {"entrainment.erodible-depth"}}; }
-    template <class Entrainment>
-    static MechanicalErosion build(const Entrainment& e, double density) {
+    static MechanicalErosion build(const auto& e, double density) {
         const MechanicalErosion law;
         return {density, tangent_of(e.bed_friction_angle.value()), e.bed_cohesion.value_or(law.bed_cohesion),
                 e.bed_pore_pressure_ratio.value_or(law.bed_pore_pressure)};

@@ -42,8 +42,7 @@ struct ShearStressErosion {
     static Law row() {
         return {.sentence = worded("erosion by excess shear stress"), .needs = {"entrainment.erodible-depth"}};
     }
-    template <class Entrainment>
-    static ShearStressErosion build(const Entrainment& e, double) {
+    static ShearStressErosion build(const auto& e, double) {
         ShearStressErosion law;
         law.rate = e.erosion_rate.value_or(law.rate);
         law.critical_shear = e.critical_shear.value_or(law.critical_shear);

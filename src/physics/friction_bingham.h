@@ -17,8 +17,7 @@ struct BinghamFriction {
                 .needs = {"material.viscosity"},
                 .resists_alike = {"resistance of the fluid"}};
     }
-    template <class Builder>
-    static HerschelBulkleyExcess build(const Builder& b) {
+    static HerschelBulkleyExcess build(const auto& b) {
         return {b.material.density, b.material.yield_stress, b.material.viscosity, 1};
     }
 };

@@ -23,10 +23,7 @@ struct ChezyFriction {
         return std::tuple{law_key(&Values::chezy, "material.chezy", "Chezy C", "m^(1/2)/s", {0.1, 1000}, "Chezy's C.")};
     }
     static Law row() { return {.sentence = worded("Chezy bed resistance")}; }
-    template <class Builder>
-    static ChezyFriction build(const Builder& b) {
-        return {b.gravity, b.material.chezy.value()};
-    }
+    static ChezyFriction build(const auto& b) { return {b.gravity, b.material.chezy.value()}; }
     [[nodiscard]] static bool yields() noexcept { return false; }
 
     double gravity = k_standard_gravity;  ///< [m/s2]

@@ -24,10 +24,7 @@ struct CohesiveFriction {
                                   "Cohesion to the bed.")};
     }
     static Law row() { return {.sentence = worded("cohesion at the bed")}; }
-    template <class Builder>
-    static CohesiveFriction build(Builder& b) {
-        return {b.material.density, b.cohesion()};
-    }
+    static CohesiveFriction build(auto& b) { return {b.material.density, b.cohesion()}; }
     [[nodiscard]] static bool yields() noexcept { return true; }
 
     double density = k_flow_density;  ///< [kg/m3]

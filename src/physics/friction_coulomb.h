@@ -45,12 +45,10 @@ struct CoulombFriction {
                 .resists_alike = {"friction of the solid"},
                 .resists_with_friction = true};
     }
-    template <class Scene>
-    static bool acts(const Scene& s) {
+    static bool acts(const auto& s) {
         return s.material.bed_friction_coefficient() > 0 || s.zones.friction_coefficient;
     }
-    template <class Builder>
-    static CoulombFriction build(Builder& b) {
+    static CoulombFriction build(auto& b) {
         return {b.friction_coefficient(), b.material.surface_pressure / b.material.density};
     }
     [[nodiscard]] static bool yields() noexcept { return true; }

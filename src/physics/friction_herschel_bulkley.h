@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/default_values.h"
-#include "physics/friction_sum.h"
 #include "physics/law.h"
+#include "physics/place_of_value.h"
 
 namespace frana {
 
@@ -38,8 +38,7 @@ struct HerschelBulkleyExcess {
                 .reads = {"material.yield-stress"},
                 .resists_alike = {"resistance of the fluid"}};
     }
-    template <class Builder>
-    static HerschelBulkleyExcess build(const Builder& b) {
+    static HerschelBulkleyExcess build(const auto& b) {
         const auto& m = b.material;
         return {m.density, m.yield_stress, m.consistency.value(), m.flow_index.value()};
     }

@@ -31,10 +31,7 @@ struct ManningFriction {
             law_key(&Values::manning, "material.manning", "Manning n", "s/m^(1/3)", {0, 1, true}, "Manning's n.")};
     }
     static Law row() { return {.sentence = worded("Manning bed resistance")}; }
-    template <class Builder>
-    static ManningFriction build(const Builder& b) {
-        return {b.gravity, b.material.manning.value()};
-    }
+    static ManningFriction build(const auto& b) { return {b.gravity, b.material.manning.value()}; }
     [[nodiscard]] static bool yields() noexcept { return false; }
 
     double gravity = k_standard_gravity;  ///< [m/s2]

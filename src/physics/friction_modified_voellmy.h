@@ -38,8 +38,7 @@ struct ModifiedVoellmyExcess {
                 .needs = {"material.turbulence"},
                 .resists_alike = {"friction of the solid", "resistance of the fluid", "turbulent resistance"}};
     }
-    template <class Builder>
-    static ModifiedVoellmyExcess build(Builder& b) {
+    static ModifiedVoellmyExcess build(auto& b) {
         return {b.gravity, b.friction_coefficient(), b.turbulence(), b.material.crossover_speed.value()};
     }
 

@@ -32,8 +32,7 @@ struct OBrienJulienFriction {
                 .reads = {"material.yield-stress", "material.viscosity", "material.manning"},
                 .resists_alike = {"resistance of the fluid"}};
     }
-    template <class Builder>
-    static OBrienJulienFriction build(const Builder& b) {
+    static OBrienJulienFriction build(const auto& b) {
         const auto& m = b.material;
         const OBrienJulienFriction law;
         return {b.gravity,

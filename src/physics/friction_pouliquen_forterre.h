@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/default_values.h"
-#include "physics/friction_sum.h"
 #include "physics/law.h"
+#include "physics/place_of_value.h"
 #include "physics/pore_pressure.h"
 
 namespace frana {
@@ -43,8 +43,7 @@ struct PouliquenForterreExcess {
                 .resists_with_friction = true,  // mu(I) is at least its value at rest
                 .angle_from_bed = "material.fast-friction-angle"};
     }
-    template <class Builder>
-    static PouliquenForterreExcess build(Builder& b) {
+    static PouliquenForterreExcess build(auto& b) {
         const auto& m = b.material;
         return {b.friction_coefficient(), tangent_of(m.fast_friction_angle.value()),
                 m.friction_beta.value_or(PouliquenForterreExcess{}.beta), m.friction_length.value()};

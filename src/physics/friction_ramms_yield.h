@@ -30,8 +30,7 @@ struct RammsYield {
                 .reads = {"material.friction-angle", "material.friction-coefficient"},
                 .greatest_friction = 1};
     }
-    template <class Builder>
-    static RammsYield build(Builder& b) {
+    static RammsYield build(auto& b) {
         return {b.material.density, b.material.ramms_yield_stress.value(), b.friction_coefficient()};
     }
     [[nodiscard]] static bool yields() noexcept { return true; }

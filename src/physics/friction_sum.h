@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <type_traits>
 
 #include "core/lanes.h"
 #include "physics/bed_state.h"
-#include "physics/place_of_value.h"
 
 namespace frana {
 
@@ -36,16 +36,15 @@ template <class Number>
     return select(after < 0, zero, after);  // what is not finite remains so, and ends the run
 }
 
-/// Backward Euler of a law beside the polynomial parts, for place_of_value: s1 + dt (R + linear s1 + square s1^2),
-/// which must be the speed left by yield, and its derivative in any unknown of which the speed s1 and the resistance R
-/// [m/s2] are functions.
-inline ValueAndSlope speed_balance(const ValueAndSlope& s, const ValueAndSlope& resistance, const BedState& bed,
-                                   double dt) noexcept {
-    return {s.value + dt * (resistance.value + s.value * (bed.linear + s.value * bed.square)),
-            s.slope + dt * (resistance.slope + s.slope * (bed.linear + 2 * s.value * bed.square))};
-}
-
 struct NoExcess {};
+
+/// A law that is no polynomial of the speed, whichever it is: the call is little beside its iterations, and its formula
+/// is compiled in no sweep.
+struct ExcessLaw {
+    /// Backward Euler beside the polynomial parts; empty: none.
+    /// @param left speed without its resistance, yield aside [m/s]
+    std::function<double(const BedState&, std::size_t node, double left, double dt)> speed_after;
+};
 
 /// Returns the speed after dt under all laws of a place, never below zero: friction cannot reverse the motion, and a
 /// constant driving force reaches the exact terminal speed. An excess law is replaced by its resistance over the speed

@@ -39,14 +39,8 @@ struct TurbulentFriction {
     static Law row() {
         return {.sentence = worded("turbulent bed friction"), .resists_alike = {"turbulent resistance"}};
     }
-    template <class Scene>
-    static bool acts(const Scene& s) {
-        return s.material.inverse_turbulence() > 0 || s.zones.turbulence;
-    }
-    template <class Builder>
-    static TurbulentFriction build(Builder& b) {
-        return {b.gravity, b.turbulence()};
-    }
+    static bool acts(const auto& s) { return s.material.inverse_turbulence() > 0 || s.zones.turbulence; }
+    static TurbulentFriction build(auto& b) { return {b.gravity, b.turbulence()}; }
     [[nodiscard]] static bool yields() noexcept { return false; }
 
     double gravity = k_standard_gravity;  ///< [m/s2]

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <type_traits>
-
 #include "core/lanes.h"
 #include "physics/friction_sum.h"
 #include "physics/friction_turbulence.h"
+#include "physics/parameters.h"
 
 namespace frana {
 
@@ -19,24 +18,16 @@ namespace frana {
 ///
 /// Limits: at s = 0 the first part is a bound, not a force: material driven by less stays at rest. At d -> 0 the
 /// turbulent part is infinitely stiff, which the update below bears; at d = 0 the result is rest.
-struct VoellmyFriction {
-    double friction_coefficient = 0;  ///< tan(phi) [-]
-    double inverse_turbulence = 0;    ///< 1 / xi [s2/m]
-
-    [[nodiscard]] bool active() const noexcept { return friction_coefficient > 0 || inverse_turbulence > 0; }
-
-    /// Returns the speed after dt (speed_after_step).
-    /// @param start speed before the step, @param driven the same after all driving forces of the step [m/s]
-    template <class Number = double>
-    [[nodiscard, gnu::always_inline]] Number speed_after(std::type_identity_t<Number> start,
-                                                         std::type_identity_t<Number> driven, double dt,
-                                                         std::type_identity_t<Number> normal_gravity, double gravity,
-                                                         std::type_identity_t<Number> thickness) const {
-        const Number gain = driven - start - dt * (friction_coefficient * normal_gravity);
-        const Number after = speed_after_step<Number>(
-            start, gain, 0.0, turbulent_resistance<Number>(dt * gravity, inverse_turbulence, thickness));
-        return select(thickness > 0, after, Number(0.0));
-    }
-};
+template <class Number>
+[[gnu::always_inline]] inline Number VoellmyFriction::speed_after(std::type_identity_t<Number> start,
+                                                                  std::type_identity_t<Number> driven, double dt,
+                                                                  std::type_identity_t<Number> normal_gravity,
+                                                                  double gravity,
+                                                                  std::type_identity_t<Number> thickness) const {
+    const Number gain = driven - start - dt * (friction_coefficient * normal_gravity);
+    const Number after = speed_after_step<Number>(
+        start, gain, 0.0, turbulent_resistance<Number>(dt * gravity, inverse_turbulence, thickness));
+    return select(thickness > 0, after, Number(0.0));
+}
 
 }  // namespace frana

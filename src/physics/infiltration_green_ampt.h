@@ -4,7 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/parameters.h"
+
 namespace frana {
+
+/// x - ln(1 + x), without the cancellation at small x.
+inline double above_logarithm(double x) noexcept {
+    if (x > 3e-3) return x - std::log1p(x);
+    return x * x * (1.0 / 2 - x * (1.0 / 3 - x * (1.0 / 4 - x * (1.0 / 5 - x * (1.0 / 6 - x / 7)))));
+}
 
 /// Infiltration of Green and Ampt (1911), under the depth of the water itself:
 ///
@@ -18,37 +26,23 @@ namespace frana {
 ///
 /// whose closed form F - F_0 - s ln((F + s)/(F_0 + s)) = c t is solved: exact for any step, at F_0 = 0 too, where the
 /// rate has no limit. Vertical, in map view. Without water nothing infiltrates; K = 0 is tight ground, D = 0 takes K.
-struct GreenAmpt {
-    double conductivity = 0;  ///< K [m/s]
-    double suction = 0;       ///< psi [m]
-    double deficit = 0;       ///< D [-], under 1
-
-    /// Returns what infiltrates of `water` [m] in dt [s], after `before` [m] has.
-    [[nodiscard]] double operator()(double before, double water, double dt) const noexcept {
-        const double c = conductivity * (1 - deficit) * dt, s = deficit * (suction + water + before) / (1 - deficit);
-        if (!(c > 0 && water > 0)) return 0;
-        if (!(s > 0)) return std::min(c, water);
-        const auto excess = [&](double more) {
-            return more * before / (before + s) + s * above_logarithm(more / (before + s)) - c;
-        };
-        if (excess(water) <= 0) return water;
-        // Newton from above, where the convex function leads down to its root; the bound is the sum of what gravity
-        // and suction would do alone.
-        constexpr double k_near = 1e-9;  // of a change, whose square the error is
-        double more = std::min(water, c + std::sqrt(before * before + 2 * c * s) - before);
-        for (double change = more; change > k_near * more;) {
-            change = excess(more) * (before + more + s) / (before + more);
-            more -= change;
-        }
-        return std::clamp(more, 0.0, water);
+inline double GreenAmpt::operator()(double before, double water, double dt) const noexcept {
+    const double c = conductivity * (1 - deficit) * dt, s = deficit * (suction + water + before) / (1 - deficit);
+    if (!(c > 0 && water > 0)) return 0;
+    if (!(s > 0)) return std::min(c, water);
+    const auto excess = [&](double more) {
+        return more * before / (before + s) + s * above_logarithm(more / (before + s)) - c;
+    };
+    if (excess(water) <= 0) return water;
+    // Newton from above, where the convex function leads down to its root; the bound is the sum of what gravity
+    // and suction would do alone.
+    constexpr double k_near = 1e-9;  // of a change, whose square the error is
+    double more = std::min(water, c + std::sqrt(before * before + 2 * c * s) - before);
+    for (double change = more; change > k_near * more;) {
+        change = excess(more) * (before + more + s) / (before + more);
+        more -= change;
     }
-
-  private:
-    /// x - ln(1 + x), without the cancellation at small x.
-    static double above_logarithm(double x) noexcept {
-        if (x > 3e-3) return x - std::log1p(x);
-        return x * x * (1.0 / 2 - x * (1.0 / 3 - x * (1.0 / 4 - x * (1.0 / 5 - x * (1.0 / 6 - x / 7)))));
-    }
-};
+    return std::clamp(more, 0.0, water);
+}
 
 }  // namespace frana

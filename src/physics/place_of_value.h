@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "physics/bed_state.h"
+
 namespace frana {
 
 /// A function's value and derivative at a place.
@@ -36,6 +38,15 @@ double place_of_value(const Function& f, double wanted, double highest, double g
         x = next;
     }
     return x;
+}
+
+/// Backward Euler of a law beside the polynomial parts, for place_of_value: s1 + dt (R + linear s1 + square s1^2),
+/// which must be the speed left by yield, and its derivative in any unknown of which the speed s1 and the resistance R
+/// [m/s2] are functions.
+inline ValueAndSlope speed_balance(const ValueAndSlope& s, const ValueAndSlope& resistance, const BedState& bed,
+                                   double dt) noexcept {
+    return {s.value + dt * (resistance.value + s.value * (bed.linear + s.value * bed.square)),
+            s.slope + dt * (resistance.slope + s.slope * (bed.linear + 2 * s.value * bed.square))};
 }
 
 }  // namespace frana

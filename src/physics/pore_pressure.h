@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "physics/law.h"
+#include "physics/parameters.h"
 
 namespace frana {
 
@@ -31,59 +31,34 @@ namespace frana {
 /// dilatancy, Iverson and George 2014, Proc. R. Soc. A 470, 20130819, with shear rate 2 s / d, dilatancy angle m - m_c
 /// (their m_eq at a shear that is slow against the stress, and without its part in friction), and a constant alpha. The
 /// second line is their balance of solids: what the pressure loses, 2/3 of it in the mean over a parabola, compacts.
-struct PorePressure {
-    struct State {
-        double ratio = 0;           ///< r [-]
-        double solid_fraction = 0;  ///< m [-]
-    };
-    State initial;
-    double hydrostatic = 0;                                             ///< r_h [-]
-    double dissipation_time = std::numeric_limits<double>::infinity();  ///< T unless D is given [s]
-    double diffusivity = 0;                                             ///< D [m2/s]
-    double critical_fraction = 0;                                       ///< m_c [-]
-    double compressibility = 0;                                         ///< alpha [1/Pa]; 0: no dilatancy
-    double density = 1;                                                 ///< rho [kg/m3]
-
-    [[nodiscard]] bool dissipates() const noexcept { return diffusivity > 0 || std::isfinite(dissipation_time); }
-    [[nodiscard]] bool dilates() const noexcept { return compressibility > 0; }
-    /// Returns a bound of r.
-    [[nodiscard]] double greatest() const noexcept {
-        if (dilates()) return 1;
-        return std::max(initial.ratio, dissipates() ? hydrostatic : 0);
+inline PorePressure::State PorePressure::after(State state, double thickness, double speed, double normal_gravity,
+                                               double dt) const noexcept {
+    constexpr double k_thinnest = 1e-6;  // [m]
+    const double d = std::max(thickness, k_thinnest);
+    const double rate =
+        diffusivity > 0 ? 0.25 * std::numbers::pi * std::numbers::pi * diffusivity / (d * d) : 1 / dissipation_time;
+    const double x = state.ratio - hydrostatic;
+    if (!dilates()) return {hydrostatic + x * std::exp(-rate * dt), state.solid_fraction};
+    // A damped oscillator: x' = -2 a x - S y, y' = B x, y = m - m_c.
+    const double sigma = density * normal_gravity * d, y = state.solid_fraction - critical_fraction;
+    const double a = 0.5 * rate, shear = 3 * speed / (compressibility * d * sigma);
+    const double gain = 2.0 / 3 * compressibility * state.solid_fraction * sigma * rate;
+    const double w2 = shear * gain - a * a, w = std::sqrt(std::abs(w2));
+    double even = 0, odd = 0;  // exp(-a dt) cos(w dt), exp(-a dt) sin(w dt) / w
+    if (w * dt < 1e-8) {
+        even = std::exp(-a * dt);
+        odd = even * dt;
+    } else if (w2 > 0) {
+        even = std::exp(-a * dt) * std::cos(w * dt);
+        odd = std::exp(-a * dt) * std::sin(w * dt) / w;
+    } else {
+        const double slow = std::exp(-shear * gain / (a + w) * dt), fast = std::exp(-(a + w) * dt);
+        even = 0.5 * (slow + fast);
+        odd = 0.5 * (slow - fast) / w;
     }
-    [[nodiscard]] bool active() const noexcept { return greatest() > 0; }
-
-    /// Returns the state after dt under constant coefficients, exact but for the factor m, which is that before.
-    /// @param speed s [m/s]  @param normal_gravity g_n [m/s2]
-    [[nodiscard]] State after(State state, double thickness, double speed, double normal_gravity,
-                              double dt) const noexcept {
-        constexpr double k_thinnest = 1e-6;  // [m]
-        const double d = std::max(thickness, k_thinnest);
-        const double rate =
-            diffusivity > 0 ? 0.25 * std::numbers::pi * std::numbers::pi * diffusivity / (d * d) : 1 / dissipation_time;
-        const double x = state.ratio - hydrostatic;
-        if (!dilates()) return {hydrostatic + x * std::exp(-rate * dt), state.solid_fraction};
-        // A damped oscillator: x' = -2 a x - S y, y' = B x, y = m - m_c.
-        const double sigma = density * normal_gravity * d, y = state.solid_fraction - critical_fraction;
-        const double a = 0.5 * rate, shear = 3 * speed / (compressibility * d * sigma);
-        const double gain = 2.0 / 3 * compressibility * state.solid_fraction * sigma * rate;
-        const double w2 = shear * gain - a * a, w = std::sqrt(std::abs(w2));
-        double even = 0, odd = 0;  // exp(-a dt) cos(w dt), exp(-a dt) sin(w dt) / w
-        if (w * dt < 1e-8) {
-            even = std::exp(-a * dt);
-            odd = even * dt;
-        } else if (w2 > 0) {
-            even = std::exp(-a * dt) * std::cos(w * dt);
-            odd = std::exp(-a * dt) * std::sin(w * dt) / w;
-        } else {
-            const double slow = std::exp(-shear * gain / (a + w) * dt), fast = std::exp(-(a + w) * dt);
-            even = 0.5 * (slow + fast);
-            odd = 0.5 * (slow - fast) / w;
-        }
-        return {std::clamp(hydrostatic + x * even - (a * x + shear * y) * odd, 0.0, 1.0),
-                std::clamp(critical_fraction + y * even + (gain * x + a * y) * odd, 0.0, 1.0)};
-    }
-};
+    return {std::clamp(hydrostatic + x * even - (a * x + shear * y) * odd, 0.0, 1.0),
+            std::clamp(critical_fraction + y * even + (gain * x + a * y) * odd, 0.0, 1.0)};
+}
 
 /// Its keys, read by the laws of friction of the solid.
 struct PoreValues {

@@ -5,31 +5,10 @@
 
 #include "core/default_values.h"
 #include "physics/law.h"
+#include "physics/strain_rate.h"
 #include "physics/yield_ratio.h"
 
 namespace frana {
-
-/// Rate of strain in the plane, with the terms of the depth-integrated invariant; of one particle (double) or of four
-/// (Quad).
-template <class Number>
-struct StrainRate {
-    Number xx, xy, yy;  ///< D = sym grad v [1/s]
-    Number u, v;        ///< velocity [m/s]
-    Number depth;       ///< [m]
-};
-
-/// In-plane stress over density and the viscosity that bounds the time step.
-template <class Number>
-struct PlaneStress {
-    Number xx, xy, yy;   ///< [m2/s2]
-    Number diffusivity;  ///< (2 mu + tau_Y / sqrt(I2)) / rho [m2/s]
-};
-
-/// No in-plane stress.
-struct NoStress {
-    static constexpr bool active = false;
-    [[nodiscard]] static double wave_factor() noexcept { return 1; }
-};
 
 /// Depth-integrated Bingham stress (paper, equation 3 with the square root it lacks; Quecedo et al. 2004):
 ///
@@ -56,14 +35,8 @@ struct BinghamStress {
     static Law row() {
         return {.sentence = worded("in-plane viscosity"), .yield_sentence = worded("in-plane yield stress")};
     }
-    template <class Material>
-    static bool acts(const Material& m) {
-        return m.has_bingham_stress();
-    }
-    template <class Material>
-    static BinghamStress build(const Material& m, double) {
-        return {m.viscosity / m.density, m.yield_stress / m.density};
-    }
+    static bool acts(const auto& m) { return m.has_bingham_stress(); }
+    static BinghamStress build(const auto& m, double) { return {m.viscosity / m.density, m.yield_stress / m.density}; }
     [[nodiscard]] static double wave_factor() noexcept { return 1; }
 
     double viscosity_over_density = 0;               ///< mu / rho [m2/s]

@@ -6,7 +6,7 @@
 
 #include "core/default_values.h"
 #include "physics/law.h"
-#include "physics/stress_bingham.h"
+#include "physics/strain_rate.h"
 
 namespace frana {
 
@@ -37,8 +37,7 @@ struct EarthPressureStress {
                 .reads = {"material.friction-angle", "material.friction-coefficient"},
                 .angle_from_bed = "material.internal-friction-angle"};
     }
-    template <class Material>
-    static EarthPressureStress build(const Material& m, double gravity) {
+    static EarthPressureStress build(const auto& m, double gravity) {
         return of(tangent_of(m.internal_friction_angle.value()), m.bed_friction_coefficient(), gravity);
     }
     /// Returns the square of the factor on the speed of pressure waves.

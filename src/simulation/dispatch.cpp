@@ -2,13 +2,13 @@
 #include "simulation/dispatch.h"
 
 #include <algorithm>
-#include <variant>
 
+#include "mpm/bed_exchange.h"
 #include "mpm/particles_to_nodes.h"
 #include "mpm/pressure.h"
 #include "mpm/vector/kernels.h"
-#include "params/keys/laws.h"
-#include "physics/laws.h"
+#include "mpm/vector/stress_kernels.h"
+#include "physics/law.h"
 
 namespace frana {
 
@@ -22,56 +22,55 @@ constexpr double k_film = 10, k_thickest_film = 0.1;
 // Of fewer particles per cell none can be spared.
 constexpr int k_least_seeded_of_film = 4;
 
-using ChosenStress = StressLaws::Chosen<NoStress>;
+template <class Stress>
+const Stress& law_of(const PlaneStressLaw& stress) {
+    if constexpr (Stress::active) {
+        return *stress.law.target<Stress>();
+    } else {
+        static constexpr NoStress none;
+        return none;
+    }
+}
+
+// Calls visit.operator()<Stress>() for the type of the law.
+void visit_stress(const PlaneStressLaw& stress, const auto& visit) {
+    if (!stress.law) return visit.template operator()<NoStress>();
+    StressLaws::for_each([&]<class Law>() {
+        if (stress.law.target<Law>() != nullptr) visit.template operator()<Law>();
+    });
+}
 
 template <class Shape, class Transfer, class Stress, bool Relaxed>
 ParticleReport nodes_to_particles_stage(const ParticleTile& tile, const ParticleUpdate& update,
                                         const PlaneStressLaw& stress, const NodeGrid& nodes, ParticleSet& particles) {
-    return nodes_to_particles<Shape, Transfer, Stress, Relaxed>(tile, update, std::get<Stress>(stress.law), nodes,
-                                                                particles);
+    return nodes_to_particles<Shape, Transfer, Stress, Relaxed>(tile, update, law_of<Stress>(stress), nodes, particles);
 }
 
-ChosenStress stress_law(const Material& material, double gravity) {
-    ChosenStress chosen;
-    const std::string word = in_plane_stress(material);
-    const MaterialValues values = values_of(material);
-    StressLaws::for_each([&]<class Law>() {
-        if (word != Law::word) return;
-        if constexpr (requires { Law::acts(values); })
-            if (!Law::acts(values)) return;
-        chosen = Law::build(values, gravity);
-    });
-    return chosen;
-}
-
-// 18 of nodes_to_particles (physics/laws.h), 4 of each of the other particle stages.
+// 18 of nodes_to_particles (physics/stress_laws.h), 4 of each of the other particle stages.
 template <class Shape, bool Relaxed, class Transfer>
-void choose_transfer(const ChosenStress& stress, Stages& stages) {
+void choose_transfer(const PlaneStressLaw& stress, Stages& stages) {
     stages.particles_to_nodes = stages.references ? particles_to_nodes<Shape, Transfer::affine, true>
                                                   : particles_to_nodes<Shape, Transfer::affine, false>;
-    std::visit(
-        [&]<class Stress>(const Stress&) {
-            stages.nodes_to_particles = nodes_to_particles_stage<Shape, Transfer, Stress, Relaxed>;
-        },
-        stress);
+    visit_stress(stress, [&]<class Stress>() {
+        stages.nodes_to_particles = nodes_to_particles_stage<Shape, Transfer, Stress, Relaxed>;
+    });
     if (Transfer::affine) stages.fields = stages.fields | k_affine_fields;
 }
 
 template <class Shape, bool Relaxed>
-void choose_scheme(Transfer transfer, const ChosenStress& law, Stages& stages) {
-    const bool stress = !std::holds_alternative<NoStress>(law);
+void choose_scheme(Transfer transfer, const PlaneStressLaw& stress, Stages& stages) {
     stages.pressure_to_nodes =
-        stress ? pressure_to_nodes<Shape, Relaxed, true> : pressure_to_nodes<Shape, Relaxed, false>;
+        stress.law ? pressure_to_nodes<Shape, Relaxed, true> : pressure_to_nodes<Shape, Relaxed, false>;
     stages.exchange_with_particles = exchange_with_particles<Shape>;
     if (Relaxed) stages.fields = stages.fields | FieldMask{Field::compression};
-    if (stress) stages.fields = stages.fields | k_stress_fields;
+    if (stress.law) stages.fields = stages.fields | k_stress_fields;
     switch (transfer) {
         case Transfer::pic:
         case Transfer::flip:
-            return choose_transfer<Shape, Relaxed, PicTransfer>(law, stages);
+            return choose_transfer<Shape, Relaxed, PicTransfer>(stress, stages);
         case Transfer::automatic:  // resolved before
         case Transfer::apic:
-            return choose_transfer<Shape, Relaxed, ApicTransfer>(law, stages);
+            return choose_transfer<Shape, Relaxed, ApicTransfer>(stress, stages);
     }
 }
 
@@ -79,17 +78,14 @@ template <class Stress>
 ParticleReport fast_nodes_to_particles_stage(const ParticleTile& tile, const ParticleUpdate& update,
                                              const PlaneStressLaw& stress, const NodeGrid& nodes,
                                              ParticleSet& particles) {
-    const auto& kernel = std::get<VectorKernels::NodesToParticles<Stress>>(vector_kernels()->nodes_to_particles);
-    return kernel.stage(tile, update, std::get<Stress>(stress.law), nodes, particles);
+    return vector_kernels()->nodes_to_particles.of<Stress>()(tile, update, law_of<Stress>(stress), nodes, particles);
 }
 
 // Selects the default scheme's kernels over particles for this processor.
-void use_vector_kernels(const VectorKernels& kernels, const ChosenStress& law, Stages& stages) {
-    const bool stress = !std::holds_alternative<NoStress>(law);
+void use_vector_kernels(const VectorKernels& kernels, const PlaneStressLaw& stress, Stages& stages) {
     stages.particles_to_nodes = stages.references ? kernels.particles_and_levels_to_nodes : kernels.particles_to_nodes;
-    stages.pressure_to_nodes = stress ? kernels.pressure_and_stress_to_nodes : kernels.pressure_to_nodes;
-    std::visit([&]<class Stress>(const Stress&) { stages.nodes_to_particles = fast_nodes_to_particles_stage<Stress>; },
-               law);
+    stages.pressure_to_nodes = stress.law ? kernels.pressure_and_stress_to_nodes : kernels.pressure_to_nodes;
+    visit_stress(stress, [&]<class Stress>() { stages.nodes_to_particles = fast_nodes_to_particles_stage<Stress>; });
 }
 
 }  // namespace
@@ -99,7 +95,7 @@ Stages choose_stages(const Material& material, const MaterialZones& zones, const
     Stages stages;
     stages.fields = k_basic_fields;
     stages.follows_bed = curvature(numerics);
-    const ChosenStress stress = stress_law(material, numerics.gravity);
+    const PlaneStressLaw stress = make_stress(material, numerics.gravity);
     const Transfer transfer = transfer_of(numerics);
     if (numerics.scheme == Scheme::paper) {
         choose_scheme<HatShape, false>(transfer, stress, stages);
@@ -120,7 +116,6 @@ Stages choose_stages(const Material& material, const MaterialZones& zones, const
     const bool summed = sums_friction(material, zones, entrainment);
     choose_node_stages(numerics, summed, stages);
     choose_pore_pressure(material, numerics, stages);
-    choose_exchange(entrainment, numerics, stages);
     const VectorKernels* fast = kernels == Kernels::fastest ? vector_kernels() : nullptr;
     if (fast && numerics.scheme == Scheme::standard && transfer == Transfer::apic) {
         use_vector_kernels(*fast, stress, stages);
@@ -133,14 +128,13 @@ Laws make_laws(const Material& material, const MaterialZones& zones, const Entra
                const Numerics& numerics, NodeGrid& nodes, double gravity) {
     Laws laws;
     laws.gravity = gravity;
-    laws.stress.law = stress_law(material, gravity);
-    laws.stress.wave_factor = std::visit([](const auto& law) { return law.wave_factor(); }, laws.stress.law);
+    laws.stress = make_stress(material, gravity);
     laws.step.cfl = courant_number(numerics, material);
     laws.step.by_wave = numerics.scheme == Scheme::standard;
     laws.minimum_depth = numerics.minimum_depth;
     laws.wall = numerics.boundary == Boundary::wall;
     laws.friction = make_friction(material, zones, entrainment, nodes, gravity);
-    laws.exchange = make_exchange(entrainment, material);
+    laws.exchange = make_exchange(entrainment, material, numerics);
     laws.jumps = {gravity,
                   laws.wall,
                   std::atan(tangent_of(numerics.flight_angle)),

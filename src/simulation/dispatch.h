@@ -35,12 +35,13 @@ void choose_node_stages(const Numerics& numerics, bool summed, voellmy_bingham::
 void use_fast_node_stages(const Numerics& numerics, bool summed, voellmy_bingham::Stages& stages);
 /// Sets the stage of the pore pressure and its fields, if any.
 void choose_pore_pressure(const Material& material, const Numerics& numerics, voellmy_bingham::Stages& stages);
-/// Sets the stages of erosion and deposition, if any.
-void choose_exchange(const Entrainment& entrainment, const Numerics& numerics, voellmy_bingham::Stages& stages);
 
 voellmy_bingham::BedFriction make_friction(const Material& material, const MaterialZones& zones,
                                            const Entrainment& entrainment, NodeGrid& nodes, double gravity);
-voellmy_bingham::BedExchange make_exchange(const Entrainment& entrainment, const Material& material);
+voellmy_bingham::BedExchange make_exchange(const Entrainment& entrainment, const Material& material,
+                                           const Numerics& numerics);
+/// @param gravity as in make_laws
+voellmy_bingham::PlaneStressLaw make_stress(const Material& material, double gravity);
 
 /// Allocates the erodible beds of a scene that exchanges material, filled where the ground is read. They stay in place.
 void set_erodible_beds(const Entrainment& entrainment, const MaterialZones& zones, NodeGrid& nodes,

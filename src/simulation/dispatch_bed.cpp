@@ -9,6 +9,7 @@
 #include "mpm/bed_exchange.h"
 #include "mpm/vector/kernels.h"
 #include "params/keys/laws.h"
+#include "physics/friction_voellmy.h"
 #include "physics/laws.h"
 
 namespace frana {
@@ -26,8 +27,7 @@ void rest_uniform(const NodeRange& range, const NodeUpdate& update, const BedFri
 template <class Slope>
 void rest_summed(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction, BedState* states,
                  NodeGrid& nodes) {
-    const NoExcess none;
-    find_held_nodes<Slope>(range, update, SummedFriction<NoExcess>{none, states, friction.yields}, nodes);
+    find_held_nodes<Slope>(range, update, SummedFriction<NoExcess>{NoExcess{}, states, friction.yields}, nodes);
 }
 
 template <class Slope>
@@ -39,13 +39,12 @@ NodeReport update_uniform(const NodeRange& range, const NodeUpdate& update, cons
 template <class Slope>
 NodeReport update_summed(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction,
                          BedState* states, double time, NodeGrid& nodes, Maxima& maxima) {
-    return std::visit(
-        [&](const auto& excess) {
-            return update_nodes<Slope>(range, update,
-                                       SummedFriction<std::decay_t<decltype(excess)>>{excess, states, friction.yields},
-                                       time, nodes, maxima);
-        },
-        friction.excess);
+    const auto update_by = [&](const auto& law) {
+        return update_nodes<Slope>(range, update, law, time, nodes, maxima);
+    };
+    if (friction.excess.speed_after)
+        return update_by(SummedFriction<ExcessLaw>{friction.excess, states, friction.yields});
+    return update_by(SummedFriction<NoExcess>{NoExcess{}, states, friction.yields});
 }
 
 // The same by the fast kernels, where they compute a tile.
@@ -58,10 +57,9 @@ NodeReport fast_update_uniform(const NodeRange& range, const NodeUpdate& update,
 
 NodeReport fast_update_summed(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction,
                               BedState* states, double time, NodeGrid& nodes, Maxima& maxima) {
-    if (!std::holds_alternative<NoExcess>(friction.excess) || !four_at_a_time(range, nodes))
+    if (friction.excess.speed_after || !four_at_a_time(range, nodes))
         return update_summed<Curved<NormalSlope>>(range, update, friction, states, time, nodes, maxima);
-    const NoExcess none;
-    return vector_node_kernels()->summed(range, update, {none, states, friction.yields}, time, nodes, maxima);
+    return vector_node_kernels()->summed(range, update, {NoExcess{}, states, friction.yields}, time, nodes, maxima);
 }
 
 template <class Slope>
@@ -74,34 +72,48 @@ void choose_slope(bool summed, bool curved, Stages& stages) {
     stages.update_nodes = summed ? update_summed<Slope> : update_uniform<Slope>;
 }
 
-template <bool Metric>
-void exchange_stage(const NodeRange& range, const BedExchange& laws, double dt, double least_depth,
-                    const BedState* states, const NodeGrid& nodes, ErodibleBed* beds) {
-    std::visit(
-        [&](const auto& erosion, const auto& deposition) {
-            exchange_at_nodes<Metric>(range, erosion, deposition, laws.density, dt, least_depth, states, nodes, beds);
-        },
-        laws.erosion, laws.deposition);
-    if (const auto* const forest = std::get_if<ForestDetrainment>(&laws.detrainment))
-        detrain_at_nodes<Metric>(range, *forest, dt, least_depth, nodes, beds);
-}
-
-// Sets the law of a word.
-template <class List, class Chosen>
-void set_exchange(const std::string& word, const Entrainment& entrainment, double density, Chosen& chosen) {
+// Returns the law of a word, or none.
+template <class List>
+auto exchange_law(const std::string& word, const Entrainment& entrainment, double density) {
+    typename List::template Chosen<NoExchange> chosen;
     List::for_each([&]<class Law>() {
         if (word == Law::word) chosen = Law::build(all_values<List>(entrainment), density);
     });
+    return chosen;
+}
+
+template <bool Metric>
+decltype(BedExchange::at_nodes) exchange_stage(const Entrainment& entrainment, double density) {
+    return [density, erosions = exchange_law<ErosionLaws>(entrainment.erosion, entrainment, density),
+            depositions = exchange_law<DepositionLaws>(entrainment.deposition ? "on" : "off", entrainment, density),
+            detrainments = exchange_law<DetrainmentLaws>(entrainment.detrainment ? "on" : "off", entrainment, density)](
+               const NodeRange& range, double dt, double least_depth, const BedState* states, const NodeGrid& nodes,
+               ErodibleBed* beds) {
+        std::visit(
+            [&](const auto& erosion, const auto& deposition) {
+                exchange_at_nodes<Metric>(range, erosion, deposition, density, dt, least_depth, states, nodes, beds);
+            },
+            erosions, depositions);
+        if (const auto* const forest = std::get_if<ForestDetrainment>(&detrainments))
+            detrain_at_nodes<Metric>(range, *forest, dt, least_depth, nodes, beds);
+    };
 }
 
 // Whether a law has an effect: some without their parameter have none and are omitted.
 template <class Law, class Builder>
 bool has_effect(const Builder& scene) {
-    if constexpr (requires { Law::acts(scene); }) {
-        return Law::acts(scene);
-    } else {
-        return true;
-    }
+    if constexpr (requires { Law::acts(scene); }) return Law::acts(scene);
+    return true;
+}
+
+// Sets a value of every node, where its ground is read.
+// @param value returns its place by node
+void fill_nodes(NodeGrid& nodes, const Raster* raster, double uniform, const auto& value) {
+    nodes.fill_with_ground([&nodes, raster, uniform, value](const NodeGrid::Block& block) {
+        for (std::int64_t j = block.j0 - k_ghost; j < block.j1 - k_ghost; ++j)
+            for (std::int64_t i = block.i0 - k_ghost; i < block.i1 - k_ghost; ++i)
+                value(nodes.index(i, j)) = raster == nullptr ? uniform : node_value(*raster, uniform, i, j);
+    });
 }
 
 // Converts the laws of a material to sweeps over the nodes. Laws read its public part.
@@ -134,17 +146,14 @@ class FrictionBuilder {
     NodeValue value(const std::optional<Raster>& raster, double uniform) {
         if (!raster) return {uniform};
         double* const values = friction_.node_values.emplace_back(nodes_.bed.size()).data();
-        nodes_.fill_with_ground([&nodes = nodes_, &from = *raster, uniform, values](const NodeGrid::Block& block) {
-            for (std::int64_t j = block.j0 - k_ghost; j < block.j1 - k_ghost; ++j)
-                for (std::int64_t i = block.i0 - k_ghost; i < block.i1 - k_ghost; ++i)
-                    values[nodes.index(i, j)] = node_value(from, uniform, i, j);
-        });
+        fill_nodes(nodes_, &*raster, uniform, [values](std::size_t node) -> double& { return values[node]; });
         return {uniform, values};
     }
-    template <class Law>
-    void add(const Law& law) {
+    void add(const auto& law) {
         if constexpr (requires { law.speed_after(BedState{}, 0, 0.0, 0.0); }) {
-            friction_.excess = law;
+            friction_.excess.speed_after = [law](const BedState& bed, std::size_t node, double left, double dt) {
+                return law.speed_after(bed, node, left, dt);
+            };
             friction_.yields = true;
         } else {
             friction_.yields |= law.yields();
@@ -152,10 +161,6 @@ class FrictionBuilder {
         friction_.sweeps.emplace_back([law](const NodeRange& range, const NodeGrid& nodes, BedState* states) {
             add_friction(range, law, nodes, states);
         });
-    }
-    template <class... Laws>
-    void add(const std::variant<Laws...>& one) {
-        std::visit([this](const auto& law) { add(law); }, one);
     }
 
     std::vector<std::string> words_;  ///< of the material's laws
@@ -183,7 +188,7 @@ bool sums_friction(const Material& material, const MaterialZones& zones, const E
     const bool by_place =
         std::any_of(std::begin(k_zone_rasters), std::end(k_zone_rasters),
                     [&](const ZoneRaster& zone) { return zone.of_bed_friction && (zones.*zone.raster).has_value(); });
-    return !only_voellmy || by_place || material.of<CoulombFriction>().pore_pressure(material.density).active() ||
+    return !only_voellmy || by_place || pore_pressure_of(material).active() ||
            material.of<CoulombFriction>().surface_pressure > 0 || entrainment.active();
 }
 
@@ -206,7 +211,7 @@ void use_fast_node_stages(const Numerics& numerics, bool summed, Stages& stages)
 }
 
 void choose_pore_pressure(const Material& material, const Numerics& numerics, Stages& stages) {
-    const PorePressure law = material.of<CoulombFriction>().pore_pressure(material.density);
+    const PorePressure law = pore_pressure_of(material);
     if (!law.active()) return;
     stages.fields = stages.fields | FieldMask{Field::pore_pressure};
     if (law.dilates()) stages.fields = stages.fields | FieldMask{Field::solid_fraction};
@@ -219,12 +224,6 @@ void choose_pore_pressure(const Material& material, const Numerics& numerics, St
                                                : pore_pressure_to_nodes<QuadraticSplineShape, false>;
 }
 
-void choose_exchange(const Entrainment& entrainment, const Numerics& numerics, Stages& stages) {
-    if (!entrainment.active()) return;
-    stages.exchange_at_nodes =
-        slope_correction(numerics) == SlopeCorrection::none ? exchange_stage<false> : exchange_stage<true>;
-}
-
 BedFriction make_friction(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,
                           NodeGrid& nodes, double gravity) {
     BedFriction friction;
@@ -233,25 +232,38 @@ BedFriction make_friction(const Material& material, const MaterialZones& zones, 
     const std::vector<std::string> terms = bed_friction_terms(material);
     const auto has = [&](const char* word) { return std::find(terms.begin(), terms.end(), word) != terms.end(); };
     if (has(CoulombFriction::word))
-        friction.voellmy.friction_coefficient = material.of<CoulombFriction>().bed_friction_coefficient();
+        friction.voellmy.friction_coefficient = friction_coefficient_of(material).value_or(0);
     if (has(TurbulentFriction::word))
         friction.voellmy.inverse_turbulence = material.of<TurbulentFriction>().inverse_turbulence();
     if (!friction.summed) friction.coefficient = {friction.voellmy.friction_coefficient};
-    friction.pore_pressure = material.of<CoulombFriction>().pore_pressure(material.density);
+    friction.pore_pressure = pore_pressure_of(material);
     return friction;
 }
 
-BedExchange make_exchange(const Entrainment& entrainment, const Material& material) {
+BedExchange make_exchange(const Entrainment& entrainment, const Material& material, const Numerics& numerics) {
     BedExchange laws;
     const double density = laws.density = material.density;
-    const PorePressure pores = material.of<CoulombFriction>().pore_pressure(density);
+    const PorePressure pores = pore_pressure_of(material);
     const double at_rest = pores.dissipates() ? pores.hydrostatic : pores.initial.ratio;
     laws.bed = {entrainment.of<MechanicalErosion>().bed_pore_pressure_ratio.value_or(at_rest),
                 pores.initial.solid_fraction};
-    set_exchange<ErosionLaws>(entrainment.erosion, entrainment, density, laws.erosion);
-    set_exchange<DepositionLaws>(entrainment.deposition ? "on" : "off", entrainment, density, laws.deposition);
-    set_exchange<DetrainmentLaws>(entrainment.detrainment ? "on" : "off", entrainment, density, laws.detrainment);
+    if (entrainment.active())
+        laws.at_nodes = slope_correction(numerics) == SlopeCorrection::none
+                            ? exchange_stage<false>(entrainment, density)
+                            : exchange_stage<true>(entrainment, density);
     return laws;
+}
+
+PlaneStressLaw make_stress(const Material& material, double gravity) {
+    PlaneStressLaw stress;
+    const std::string word = in_plane_stress(material);
+    const MaterialValues values = values_of(material);
+    StressLaws::for_each([&]<class Law>() {
+        if (word != Law::word || !has_effect<Law>(values)) return;
+        const Law law = Law::build(values, gravity);
+        stress = {law, law.wave_factor()};
+    });
+    return stress;
 }
 
 // `beds` stays where it is, though a saved state may replace its content.
@@ -259,12 +271,8 @@ void set_erodible_beds(const Entrainment& entrainment, const MaterialZones& zone
                        ZeroArray<ErodibleBed>& beds) {
     beds = ZeroArray<ErodibleBed>(nodes.bed.size());
     const auto fill = [&](double ErodibleBed::*value, const std::optional<Raster>& zones_of, double uniform) {
-        const Raster* const raster = zones_of ? &*zones_of : nullptr;
-        nodes.fill_with_ground([&nodes, &beds, value, raster, uniform](const NodeGrid::Block& block) {
-            for (std::int64_t j = block.j0 - k_ghost; j < block.j1 - k_ghost; ++j)
-                for (std::int64_t i = block.i0 - k_ghost; i < block.i1 - k_ghost; ++i)
-                    beds[nodes.index(i, j)].*value = raster == nullptr ? uniform : node_value(*raster, uniform, i, j);
-        });
+        fill_nodes(nodes, zones_of ? &*zones_of : nullptr, uniform,
+                   [&beds, value](std::size_t node) -> double& { return beds[node].*value; });
     };
     if (entrainment.erodes())
         fill(&ErodibleBed::erodible, zones.erodible_depth, entrainment.erodible_depth.value_or(0));

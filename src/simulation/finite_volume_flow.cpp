@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 #include "simulation/dispatch.h"
 #include "simulation/plane_stress.h"
@@ -43,9 +42,6 @@ finite_volume::Laws laws_of(const Material& material, const MaterialZones& zones
     laws.gap_is_wall = numerics.nodata != NodataPolicy::stop;
     laws.flies = numerics.flight.value_or(true) && !tilt;
     laws.jumps = shared.jumps;
-    voellmy_bingham::Stages stages;
-    choose_exchange(entrainment, numerics, stages);
-    laws.exchange_at_nodes = stages.exchange_at_nodes;
     laws.friction = std::move(shared.friction);
     laws.stress = shared.stress;
     laws.exchange = shared.exchange;
@@ -65,7 +61,7 @@ FiniteVolumeFlow::FiniteVolumeFlow(const Ground& ground, const std::optional<Ras
       laws_(laws_of(material, zones, entrainment, numerics, state_.nodes, tilt)),
       maxima_(state_.nodes.size()) {
     if (laws_.friction.summed) state_.bed_states = ZeroArray<BedState>(state_.nodes.size());
-    if (!std::holds_alternative<NoStress>(laws_.stress.law))
+    if (laws_.stress.law)
         for (ZeroArray<double>* force : {&state_.force_x, &state_.force_y})
             *force = ZeroArray<double>(state_.nodes.size());
     const PorePressure& pores = laws_.friction.pore_pressure;

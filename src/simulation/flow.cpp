@@ -15,8 +15,8 @@
 #include "mpm/shape.h"
 #include "mpm/shown_depth.h"
 #include "mpm/update_nodes.h"
+#include "params/keys/laws.h"
 #include "params/keys/result_rasters.h"
-#include "physics/friction_coulomb.h"
 #include "simulation/dispatch.h"
 #include "simulation/recorder.h"
 #include "simulation/release.h"
@@ -147,9 +147,7 @@ Flow::Flow(const Ground& ground, const ParticleSet& particles, const Material& m
       numerics_(numerics),
       pool_(threads),
       stages_(choose_stages(material, zones, entrainment, numerics, kernels)),
-      state_(initial_state(
-          ground,
-          with_fields(particles, material.of<CoulombFriction>().pore_pressure(material.density), stages_.fields))),
+      state_(initial_state(ground, with_fields(particles, pore_pressure_of(material), stages_.fields))),
       laws_(make_laws(material, zones, entrainment, numerics, state_.nodes, tilt ? tilt->normal : numerics.gravity)),
       maxima_(state_.nodes.size()) {
     // Without references the levels remain zero, and the pressure is relative to zero.

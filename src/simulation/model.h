@@ -13,7 +13,7 @@
 #include "core/point_table.h"
 #include "core/raster.h"
 #include "core/reached_raster.h"
-#include "mpm/bed_exchange.h"
+#include "mpm/erodible_bed.h"
 #include "mpm/node_grid.h"
 #include "mpm/update_nodes.h"
 #include "particles/particle_set.h"

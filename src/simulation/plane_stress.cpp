@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/plane_stress.h"
 
-#include <variant>
-
 #include "core/reached_raster.h"
 #include "params/keys/result_rasters.h"
 
@@ -27,14 +25,7 @@ std::vector<NamedRaster> plane_stress_rasters(const voellmy_bingham::PlaneStress
             return (value(of, row - 1, column) - value(of, row + 1, column)) / (2 * grid.cell_size);
         };
         const StrainRate<double> rate{in_x(u), 0.5 * (in_y(u) + in_x(v)), in_y(v), u.values[cell], v.values[cell], h};
-        const auto sigma = std::visit(
-            [&](const auto& one) {
-                if constexpr (std::decay_t<decltype(one)>::active)
-                    return one(rate);
-                else
-                    return PlaneStress<double>{};
-            },
-            law.law);
+        const PlaneStress<double> sigma = law.law ? law.law(rate) : PlaneStress<double>{};
         rasters[0].values.values[cell] = plane_stress_kpa(density, gravity, h, sigma.xx);
         rasters[1].values.values[cell] = plane_stress_kpa(density, gravity, h, sigma.yy);
     });

@@ -12,7 +12,6 @@
 #include "core/reached_raster.h"
 #include "params/keys/laws.h"
 #include "params/keys/result_rasters.h"
-#include "physics/friction_coulomb.h"
 #include "simulation/scene.h"
 #include "simulation/structured_laws.h"
 
@@ -105,7 +104,7 @@ std::vector<Problem> structured_problems(const StructuredMaterial& material, dou
         densest = std::max(densest, solid.solid_fraction);
     });
     constexpr double k_least_fraction = 0.1, k_most_fraction = 0.9;  // of grains that dilate
-    if (material.pores.compressibility && (loosest < k_least_fraction || densest > k_most_fraction))
+    if (material.pores.dilates() && (loosest < k_least_fraction || densest > k_most_fraction))
         problems.push_back(
             {"makes the solids dilate, which needs grains with pores", where("material.compressibility"),
              "structured.solid-fraction = " + text(densest > k_most_fraction ? densest : loosest, 4),
@@ -254,9 +253,9 @@ EnergyLineExcess energy_line_excess(const RunResult& result, const Scene& scene,
     for (const Raster* deep : {&depth, &release})
         if (const double deepest = maximum(*deep); deepest > 0) push = std::max(push, pressure_factor * deepest);
     push += deepest_erosion(scene);
-    const double friction = scene.structured ? 0 : scene.material.of<CoulombFriction>().bed_friction_coefficient();
+    const double friction = scene.structured ? 0 : friction_coefficient_of(scene.material).value_or(0);
     const std::optional<Raster>& zones = scene.zones.friction_coefficient;
-    const double buoyed = 1 - scene.material.of<CoulombFriction>().pore_pressure(scene.material.density).greatest();
+    const double buoyed = 1 - pore_pressure_of(scene.material).greatest();
     const std::vector<std::string> terms = bed_friction_terms(scene.material);
     const bool resists = !scene.structured && std::any_of(terms.begin(), terms.end(), [](const std::string& term) {
         return find_law(LawKind::bed_friction, term).resists_with_friction;

@@ -15,7 +15,6 @@
 #include "params/keys/laws.h"
 #include "params/keys/result_rasters.h"
 #include "params/keys/zone_keys.h"
-#include "physics/friction_coulomb.h"
 #include "simulation/run_summary.h"
 #include "simulation/structured_laws.h"
 
@@ -301,12 +300,8 @@ double sure_friction(const SceneSpec& scene) {
     const std::vector<const Law*> laws = laws_of(scene);
     const bool resists =
         std::any_of(laws.begin(), laws.end(), [](const Law* law) { return law->resists_with_friction; });
-    if (by_place || !resists ||
-        (!scene.material.of<CoulombFriction>().friction_angle &&
-         !scene.material.of<CoulombFriction>().friction_coefficient))
-        return 0;
-    return scene.material.of<CoulombFriction>().bed_friction_coefficient() *
-           (1 - scene.material.of<CoulombFriction>().pore_pressure(scene.material.density).greatest());
+    if (by_place || !resists) return 0;
+    return friction_coefficient_of(scene.material).value_or(0) * (1 - pore_pressure_of(scene.material).greatest());
 }
 
 Warnings release_warnings(const Scene& scene, const Raster& bed, const Raster& release,
@@ -427,8 +422,7 @@ std::optional<Pile> highest_pile(const RunResult& result, const Scene& scene) {
         if (!(deep > 0)) return;
         const auto row = static_cast<std::int64_t>(cell) / grid.columns,
                    column = static_cast<std::int64_t>(cell) % grid.columns;
-        const double friction =
-            zones ? zones->values[cell] : scene.material.of<CoulombFriction>().bed_friction_coefficient();
+        const double friction = zones ? zones->values[cell] : friction_coefficient_of(scene.material).value_or(0);
         double height = deep;
         bool stands_free = false;
         // Between two that face each other the slope of the ground cancels.

@@ -17,9 +17,7 @@
 #include "core/raster.h"
 #include "core/words/warning.h"
 #include "params/keys/shared_values.h"
-#include "physics/infiltration_green_ampt.h"
-#include "physics/pore_pressure.h"
-#include "physics/rain.h"
+#include "physics/parameters.h"
 
 namespace frana {
 
@@ -46,7 +44,7 @@ struct RainMap {
 struct StructuredMaterial : StructuredValues, SolidValues {
     bool solids = false;       ///< false: the release is fluid, and no parameter of solids is read
     double sin_dilatancy = 0;  ///< sin(psi) [-]
-    PoreValues pores;
+    PorePressure pores;        ///< of solids, each with its own density and hydrostatic ratio
     std::vector<SolidZone> zones;
     std::optional<Raster> initial_fluid;  ///< depth of free fluid at the start [m]; NaN: none
     bool more_fluid = false;              ///< there is fluid besides the release: initial, inflow or rain

@@ -9,7 +9,6 @@
 #include "core/text.h"
 #include "params/keys/laws.h"
 #include "params/keys/material_parameters.h"
-#include "physics/friction_coulomb.h"
 #include "simulation/arrivals.h"
 #include "simulation/release.h"
 
@@ -46,7 +45,7 @@ std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
             set(m.*key.value, value);
     }
     m.sin_dilatancy = std::sin(s.dilatancy_angle * std::numbers::pi / 180);
-    m.pores = spec.material.of<CoulombFriction>();
+    m.pores = pore_pressure_of(spec.material);
     if (const double rain = constant(s.rain).value_or(0); rain > 0)
         m.rain.points = {{0, rain / k_mm_per_hour}, {spec.time.end, rain / k_mm_per_hour}};
     m.more_fluid = m.rain.falls();

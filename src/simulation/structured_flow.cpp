@@ -17,17 +17,11 @@ namespace frana {
 namespace {
 
 using structured::FluidSource;
-using structured::SolidStages;
 
 NodeGrid walled(const Ground& ground, const std::optional<Raster>& walls) {
     NodeGrid nodes(ground);
     if (walls) nodes.mark_walls(*walls);
     return nodes;
-}
-
-SolidStages stages_for(const StructuredMaterial& material) {
-    return structured::choose_solid_stages(can_fracture(material), has_fluid(material),
-                                           material.pores.pore_pressure(material.fluid_density));
 }
 
 double thickest(const ParticleSet& columns) {
@@ -48,7 +42,7 @@ ParticleSet solids_of(const ParticleSet& columns, const StructuredMaterial& mate
 structured::State initial_state(NodeGrid nodes, const structured::Laws& laws, const StructuredMaterial& material,
                                 const GridSpec& grid, const ParticleSet& released) {
     if (!material.solids) return {std::move(nodes), laws, ParticleSet(), {}, true};
-    const SolidStages stages = stages_for(material);
+    const auto stages = structured::choose_solid_stages(can_fracture(material), has_fluid(material), material.pores);
     return {std::move(nodes), laws, solids_of(released, material, grid, stages.fields), stages, has_fluid(material)};
 }
 

@@ -28,7 +28,7 @@ structured::FluidLaws fluid_laws(const StructuredMaterial& m, const Numerics& nu
 }
 
 structured::SolidMaterial uniform_material(const StructuredMaterial& m) {
-    return {m, m.pores.pore_pressure_ratio.value_or(0)};
+    return {m, m.pores.initial.ratio};
 }
 
 structured::SolidMaterial material_of_cell(const StructuredMaterial& m, std::size_t cell) {
@@ -137,7 +137,7 @@ structured::Laws structured_laws(const StructuredMaterial& m, const Numerics& nu
     solid.elastic = elasticity(m);
     solid.sin_dilatancy = m.sin_dilatancy;
     solid.basal = {numerics.gravity, has_fluid(m) ? m.fluid_density : 0, m.pore_pressure_fraction};
-    solid.pores = m.pores.pore_pressure(m.fluid_density);
+    solid.pores = m.pores;
     solid.fractures = can_fracture(m);
     solid.fragmentation.critical_strain = m.critical_strain;
     solid.wave_speed = solid.elastic.wave_speed(least_coupled_density(m));

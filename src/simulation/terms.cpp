@@ -7,7 +7,9 @@
 #include <string_view>
 
 #include "params/keys/laws.h"
-#include "physics/laws.h"
+#include "physics/friction_coulomb.h"
+#include "physics/friction_manning.h"
+#include "physics/stress_bingham.h"
 #include "simulation/dispatch.h"
 
 namespace frana {
@@ -34,13 +36,13 @@ void add_bed(const Scene& scene, Terms& terms) {
     }
     for (const ZoneRaster& zone : k_zone_rasters)
         if (zones.*zone.raster && zone.of_bed_friction) terms.push_back(zone.what + std::string(k_by_zones));
-    add_pores(m.of<CoulombFriction>().pore_pressure(m.density), terms);
+    add_pores(pore_pressure_of(m), terms);
 }
 
 void add_exchange(const Entrainment& entrainment, Terms& terms) {
     if (entrainment.erodes()) terms.push_back(find_law(LawKind::erosion, entrainment.erosion).sentence);
-    if (entrainment.deposition) terms.push_back(find_law(LawKind::deposition, ShearStressDeposition::word).sentence);
-    if (entrainment.detrainment) terms.push_back(find_law(LawKind::detrainment, ForestDetrainment::word).sentence);
+    if (entrainment.deposition) terms.push_back(find_law(LawKind::deposition, "on").sentence);
+    if (entrainment.detrainment) terms.push_back(find_law(LawKind::detrainment, "on").sentence);
 }
 
 void add_finite_volumes(Terms& terms) {
@@ -68,7 +70,7 @@ void add_solids(const StructuredMaterial& m, bool fluid, Terms& terms) {
     terms.push_back(find_law(LawKind::bed_friction, CoulombFriction::word).sentence);
     terms.push_back(std::string("lateral earth pressure") + ", " + "hydrostatic beyond the strength");
     if (m.cohesion > 0) terms.emplace_back("cohesion lost with strain");
-    add_pores(m.pores.pore_pressure(m.fluid_density), terms);
+    add_pores(m.pores, terms);
     if (!fluid) return;
     if (m.cohesion > 0 && m.confined_fraction > 0) terms.emplace_back("release of confined fluid");
     terms.emplace_back("buoyancy");

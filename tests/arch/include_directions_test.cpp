@@ -99,5 +99,32 @@ TEST(IncludeDirections, OnlyTheProgramWritesToTheTerminal) {
     }
 }
 
+// An edited law is compiled where it is chosen, where its values are read and in sweeps that are compiled for it:
+// scenes and states keep parameters or a function made of the law. Exempt is what all laws share.
+TEST(IncludeDirections, ALawIsCompiledInFewSources) {
+    constexpr std::size_t k_most_sources = 10;
+    const std::set<std::string> shared{"bed_state", "friction_sum", "law", "law_values", "parameters", "strain_rate"};
+    std::map<std::string, std::vector<std::string>> includes;
+    for (const std::string& file : source_files({"src"}, {".h", ".cpp"}))
+        for (const std::string& line : lines_of(file))
+            if (const std::string target = included(line); !target.empty()) includes[file].push_back("src/" + target);
+    std::map<std::string, std::vector<std::string>> sources;  // by header that they include, directly or not
+    for (const std::string& source : source_files({"src"}, {".cpp"})) {
+        std::set<std::string> reached{source};
+        for (std::vector<std::string> open{source}; !open.empty();) {
+            const std::string file = open.back();
+            open.pop_back();
+            for (const std::string& header : includes[file])
+                if (reached.insert(header).second) open.push_back(header);
+        }
+        for (const std::string& header : reached) sources[header].push_back(source);
+    }
+    for (const std::string& header : source_files({"src/physics"}, {".h"})) {
+        if (shared.count(std::filesystem::path(header).stem().string()) > 0) continue;
+        EXPECT_FALSE(sources[header].empty()) << header;
+        EXPECT_LE(sources[header].size(), k_most_sources) << header << ": " << testing::PrintToString(sources[header]);
+    }
+}
+
 }  // namespace
 }  // namespace frana::test

@@ -13,6 +13,8 @@
 #include "mpm/pressure.h"
 #include "mpm/update_nodes.h"
 #include "mpm/vector/kernels.h"
+#include "mpm/vector/stress_kernels.h"
+#include "physics/friction_voellmy.h"
 #include "support/cases.h"
 
 namespace frana::test {
@@ -353,8 +355,7 @@ void compare_update(const Raster& bed, ParticleSet particles, const ParticleTile
     const VectorKernels& kernels = *vector_kernels(tested);
     const ParticleReport a =
         nodes_to_particles<Shape, ApicTransfer, Stress, true>(tile, update, stress, nodes, particles);
-    const auto& updates = std::get<VectorKernels::NodesToParticles<Stress>>(kernels.nodes_to_particles);
-    const ParticleReport b = updates.stage(tile, update, stress, nodes, fast);
+    const ParticleReport b = kernels.nodes_to_particles.of<Stress>()(tile, update, stress, nodes, fast);
     expect_same_particles(particles, fast);
     EXPECT_NEAR(a.speeds.wave, b.speeds.wave, k_rounding * a.speeds.wave);
     EXPECT_NEAR(a.speeds.carried_wave, b.speeds.carried_wave, k_rounding * a.speeds.wave);
@@ -474,8 +475,7 @@ TEST(VectorKernels, OfBothSetsOfInstructionsGiveTheSameBits) {
     both([&](const VectorKernels& k, NodeGrid& nodes, ParticleSet& particles) {
         step_nodes<true>(start, tile, dt, nodes);
         const ParticleUpdate update{dt, 9.81, 1e-3, false, {10, 20}, k_shift};
-        std::get<VectorKernels::NodesToParticles<BinghamStress>>(k.nodes_to_particles)
-            .stage(tile, update, stress, nodes, particles);
+        k.nodes_to_particles.of<BinghamStress>()(tile, update, stress, nodes, particles);
     });
     for (std::size_t f = 0; f < k_fields; ++f) {
         const auto field = static_cast<Field>(f);

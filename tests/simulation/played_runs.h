@@ -190,10 +190,10 @@ inline Scene breaking() {
 // Blocks whose pore pressure decreases, and changes with shear.
 inline Scene breaking_under_pressure() {
     Scene scene = breaking();
-    PoreValues& pores = scene.structured->pores;
-    pores.pore_pressure_ratio = 0.5;
-    pores.hydraulic_diffusivity = 0.1;
-    pores.critical_solid_fraction = 0.52;
+    PorePressure& pores = scene.structured->pores;
+    pores.initial.ratio = 0.5;
+    pores.diffusivity = 0.1;
+    pores.critical_fraction = 0.52;
     pores.compressibility = 1e-5;
     scene.release.push_back({{box(60, 50, 80, 70)}, 2});
     scene.release[1].start = 1;

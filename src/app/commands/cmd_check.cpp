@@ -36,6 +36,7 @@
 #include "core/json.h"
 #include "core/text.h"
 #include "params/keys/zone_keys.h"
+#include "physics/rain.h"
 #include "simulation/release.h"
 #include "simulation/run_warnings.h"
 #include "simulation/scene_values.h"

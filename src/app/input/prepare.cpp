@@ -26,7 +26,6 @@
 #include "params/keys/plausible.h"
 #include "params/keys/scene_parameters.h"
 #include "params/keys/used_keys.h"
-#include "physics/friction_coulomb.h"
 #include "simulation/arrivals.h"
 #include "simulation/run_warnings.h"
 #include "simulation/scene.h"
@@ -147,9 +146,8 @@ std::map<std::string, std::string> resolved_choices(const SceneSpec& spec, const
     chosen["terrain.crs"] = ground.crs_label;
     chosen["terrain.cell-size"] = shortest_text(grid.cell_size);
     chosen["terrain.bounds"] = extent_text(grid.bounds());
-    if (spec.material.of<CoulombFriction>().friction_angle || spec.material.of<CoulombFriction>().friction_coefficient)
-        chosen["material.friction-coefficient"] =
-            shortest_text(spec.material.of<CoulombFriction>().bed_friction_coefficient());
+    if (const auto friction = friction_coefficient_of(spec.material))
+        chosen["material.friction-coefficient"] = shortest_text(*friction);
     chosen["material.in-plane-stress"] = in_plane_stress(spec.material);
     chosen["numerics.cfl"] = shortest_text(courant_number(spec.numerics, spec.material));
     chosen["numerics.slope-correction"] = word_of(slope_correction(spec.numerics), k_slope_corrections);

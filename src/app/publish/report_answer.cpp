@@ -26,7 +26,6 @@
 #include "params/keys/used_keys.h"
 #include "params/keys/zone_keys.h"
 #include "params/scene/write_scene.h"
-#include "physics/friction_coulomb.h"
 #include "simulation/run_summary.h"
 #include "simulation/simulation.h"
 
@@ -138,8 +137,7 @@ std::vector<Told> values_told(const ReportInput& input, const Words& words) {
         if (text.empty() || (is_default && name != "material.density")) continue;
         std::string value = value_of(key, spec, words);
         if (name == "material.friction-angle")
-            value += " (μ = " +
-                     words.number(number_text(spec.material.of<CoulombFriction>().bed_friction_coefficient(), 3)) + ")";
+            value += " (μ = " + words.number(number_text(*friction_coefficient_of(spec.material), 3)) + ")";
         told.push_back({title_in(name, words), value, origin_text(spec, name, words)});
     }
     return told;

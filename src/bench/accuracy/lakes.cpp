@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/accuracy/accuracy_case.h"
-#include "physics/laws.h"
+#include "physics/stress_bingham.h"
 
 #include <algorithm>
 #include <array>
@@ -20,9 +20,8 @@ double block(Point p) {
 }
 
 Material paper_material() {
-    Material material = dry_friction(20);
+    Material material = voellmy(20, 200);
     material.density = 1200;
-    material.of<TurbulentFriction>().turbulence = 200;
     material.of<BinghamStress>().viscosity = 2e3;
     material.of<BinghamStress>().yield_stress = 30;
     return material;

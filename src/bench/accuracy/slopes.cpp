@@ -3,7 +3,8 @@
 
 #include "bench/accuracy/accuracy_case.h"
 #include "bench/exact/solutions.h"
-#include "physics/laws.h"
+#include "physics/friction_coulomb.h"
+#include "physics/stress_bingham.h"
 
 namespace frana::bench {
 namespace {
@@ -132,8 +133,7 @@ CaseStatistics run_voellmy(double cell_size, Scheme scheme) {
     };
     Slab slab;
     slab.slope_deg = k_plane_slope_deg;
-    slab.material = dry_friction(k_plane_friction_deg);
-    slab.material.of<TurbulentFriction>().turbulence = k_turbulence;
+    slab.material = voellmy(k_plane_friction_deg, k_turbulence);
     slab.time = k_plane_time;
     slab.travel = travel(k_plane_time);
     slab.speed = cosine * terminal * std::tanh(a * k_plane_time / terminal);
@@ -330,11 +330,11 @@ CaseStatistics run_slump(double cell_size, Scheme scheme) {
     Setup setup;
     setup.bed = Raster(grid, 0.0);
     setup.seeds = fill_lattice(grid, 2, 0, [](Point p) { return Seed{p.x < k_slump_block ? k_slump_depth : 0}; });
+    setup.material = voellmy(0, 0.2);
     setup.material.density = k_slump_density;
     setup.material.of<CoulombFriction>().friction_coefficient = 1e-6;
     setup.material.of<CoulombFriction>().surface_pressure =
         yield / *setup.material.of<CoulombFriction>().friction_coefficient;
-    setup.material.of<TurbulentFriction>().turbulence = 0.2;
     setup.numerics = numerics_of(scheme, SlopeCorrection::normal, Boundary::wall);
     TimedFlow run(setup);
     run.advance_to(k_slump_time);
@@ -415,10 +415,9 @@ CaseStatistics run_conservation(double cell_size, Scheme scheme) {
         return 60 - p.x / 3 + 15 * std::exp(-((p.x - 50) * (p.x - 50) + (p.y - 10) * (p.y - 10)) / 7);
     });
     setup.seeds = fill_lattice(grid, 2, 0, [](Point p) { return Seed{p.x < 20 ? p.x / 3 : 0}; });
-    setup.material = dry_friction(12);
+    setup.material = voellmy(12, 200);
     setup.material.density = 1200;
     setup.material.of<BinghamStress>().viscosity = 10;
-    setup.material.of<TurbulentFriction>().turbulence = 200;
     setup.numerics = numerics_of(scheme, SlopeCorrection::none, Boundary::wall);
     TimedFlow run(setup);
     const double volume = run.model().volume();

@@ -6,7 +6,8 @@
 
 #include "mpm/boundary.h"
 #include "mpm/shape.h"
-#include "physics/laws.h"
+#include "physics/friction_coulomb.h"
+#include "physics/friction_turbulence.h"
 #include "simulation/finite_volume_flow.h"
 #include "simulation/structured_flow.h"
 
@@ -90,6 +91,12 @@ Material water() {
 Material dry_friction(double angle_deg) {
     Material material = water();
     material.of<CoulombFriction>().friction_coefficient = std::tan(angle_deg * k_degree);
+    return material;
+}
+
+Material voellmy(double angle_deg, double turbulence) {
+    Material material = dry_friction(angle_deg);
+    material.of<TurbulentFriction>().turbulence = turbulence;
     return material;
 }
 

@@ -74,6 +74,8 @@ struct Setup {
 Material water();
 /// Coulomb friction only.
 Material dry_friction(double angle_deg);
+/// The same with xi [m/s2].
+Material voellmy(double angle_deg, double turbulence);
 
 /// Returns the scheme in its standard form: `paper` never corrects for steep ground.
 Numerics numerics_of(Scheme scheme, SlopeCorrection slope, Boundary boundary);

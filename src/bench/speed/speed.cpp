@@ -17,7 +17,7 @@
 #include "core/thread_pool.h"
 #include "mpm/vector/kernels.h"
 #include "particles/particle_set.h"
-#include "physics/laws.h"
+#include "physics/stress_bingham.h"
 
 namespace frana::bench {
 namespace {
@@ -113,9 +113,8 @@ Setup speed_sheet(double particles, bool mud) {
     setup.seeds = fill_lattice(grid, 2, 0, [&](Point p) {
         return Seed{p.x > low && p.x < high && p.y > low && p.y < high ? 3.0 : 0, k_speed, 0};
     });
-    setup.material = dry_friction(12);
+    setup.material = voellmy(12, 500);
     setup.material.density = 2000;
-    setup.material.of<TurbulentFriction>().turbulence = 500;
     if (mud) {
         setup.material.of<BinghamStress>().viscosity = 1000;
         setup.material.of<BinghamStress>().yield_stress = 500;
@@ -143,9 +142,8 @@ Setup speed_gullies(double particles) {
         const bool inside = p.x > low && p.x < high && p.y > low && p.y < high && !is_hole(p);
         return Seed{inside ? k_film * (1.5 + std::sin(p.y / 12)) : 0, k_speed, 0};
     });
-    setup.material = dry_friction(12);
+    setup.material = voellmy(12, 2000);
     setup.material.density = 300;
-    setup.material.of<TurbulentFriction>().turbulence = 2000;
     setup.numerics = numerics_of(Scheme::standard, SlopeCorrection::normal, Boundary::open);
     return setup;
 }

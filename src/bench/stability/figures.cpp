@@ -8,7 +8,7 @@
 
 #include "analysis/energy_line.h"
 #include "analysis/trace.h"
-#include "physics/laws.h"
+#include "params/keys/laws.h"
 #include "simulation/run_check.h"
 #include "simulation/stepped_run.h"
 
@@ -68,9 +68,8 @@ double above_line(const Setup& setup, const Model& model) {
         source.at(at.row, at.column) = std::isnan(before) ? here : std::max(before, here);
     }
     const Raster depth = model.to_raster(model.maxima().depth), speed = model.to_raster(model.maxima().speed);
-    const CoulombFriction::Values& coulomb = setup.material.of<CoulombFriction>();
     const std::optional<Raster>& zones = setup.zones.friction_coefficient;
-    const double uniform = setup.structured ? 0 : coulomb.bed_friction_coefficient();
+    const double uniform = setup.structured ? 0 : friction_coefficient_of(setup.material).value_or(0);
     return energy_line_excess({setup.bed, source, depth, speed,
                                [&](std::size_t cell) { return zones ? zones->values[cell] : uniform; }, k_gravity,
                                model.pressure_factor() * maximum(depth)})

@@ -5,7 +5,11 @@
 #include <cmath>
 
 #include "bench/stability/usual_slide.h"
-#include "physics/laws.h"
+#include "physics/erosion_growth.h"
+#include "physics/friction_bingham.h"
+#include "physics/friction_coulomb.h"
+#include "physics/friction_turbulence.h"
+#include "physics/stress_bingham.h"
 
 namespace frana::bench {
 namespace {
@@ -82,12 +86,6 @@ HardCase dry_grains() {
         return setup;
     };
     return one;
-}
-
-Material voellmy(double angle_deg, double turbulence) {
-    Material material = dry_friction(angle_deg);
-    material.of<TurbulentFriction>().turbulence = turbulence;
-    return material;
 }
 
 // Resists up to the weight of the slab on its plane, times a factor.

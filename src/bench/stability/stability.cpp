@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "analysis/energy_line.h"
-#include "physics/laws.h"
+#include "params/keys/laws.h"
 #include "simulation/run_warnings.h"
 #include "simulation/stepped_run.h"
 
@@ -36,7 +36,7 @@ Setup set_up(const HardCase& one, const Variant& variant) {
     if (!variant.structured || setup.structured) return setup;
     // Water, or with friction debris of grains and water.
     StructuredMaterial& of = setup.structured.emplace();
-    of.friction = of.bed_friction = setup.material.of<CoulombFriction>().friction_coefficient.value_or(0);
+    of.friction = of.bed_friction = friction_coefficient_of(setup.material).value_or(0);
     of.solids = of.friction > 0;
     if (!of.solids) of.manning = 0;
     of.solid_fraction = 0.6;

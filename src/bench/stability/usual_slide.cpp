@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "physics/laws.h"
-
 namespace frana::bench {
 namespace {
 
@@ -27,9 +25,8 @@ Setup usual_slide_on(const Variant& variant, double cell_size, const std::functi
     cell_size *= variant.cells;
     setup.bed = sample_raster(plain_grid(std::llround(160 / cell_size), std::llround(80 / cell_size), cell_size), bed);
     setup.seeds = fill_lattice(setup.bed.grid, 2, 0, [](Point p) { return Seed{usual_cap(p)}; });
-    setup.material = dry_friction(15);
+    setup.material = voellmy(15, 500);
     setup.material.density = 2000;
-    setup.material.of<TurbulentFriction>().turbulence = 500;
     setup.numerics = numerics_of(variant.scheme, SlopeCorrection::normal, Boundary::open);
     return setup;
 }

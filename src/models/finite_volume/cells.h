@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "mpm/update_nodes.h"
-#include "physics/kernel_laws.h"
 
 namespace frana::finite_volume {
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/finite_volume/row_kernels.h"
 
-#include <variant>
-
 #include "mpm/vector/kernels.h"
 
 namespace frana::finite_volume {
@@ -24,23 +22,14 @@ const RowKernels& row_kernels(bool plain) {
 
 void prepare_excess(const Cells& cells, std::size_t first, std::size_t count, const StepValues& values,
                     const ExcessLaw& law, BedState* states) {
-    std::visit(
-        [&]<class Excess>(const Excess& excess) {
-            const SummedFriction<Excess> friction{excess, states, true};
-            for (std::size_t k = first; k < first + count; ++k) prepare_cells<double>(cells, k, 1, values, friction);
-        },
-        law);
+    const SummedFriction<ExcessLaw> friction{law, states, true};
+    for (std::size_t k = first; k < first + count; ++k) prepare_cells<double>(cells, k, 1, values, friction);
 }
 
 void finish_excess(const Cells& cells, std::size_t first, std::size_t count, const StepValues& values,
                    const ExcessLaw& law, BedState* states, StripTotals& totals) {
-    std::visit(
-        [&]<class Excess>(const Excess& excess) {
-            const SummedFriction<Excess> friction{excess, states, true};
-            for (std::size_t k = first; k < first + count; ++k)
-                finish_cells<double>(cells, k, 1, values, friction, totals);
-        },
-        law);
+    const SummedFriction<ExcessLaw> friction{law, states, true};
+    for (std::size_t k = first; k < first + count; ++k) finish_cells<double>(cells, k, 1, values, friction, totals);
 }
 
 }  // namespace frana::finite_volume

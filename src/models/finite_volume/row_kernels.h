@@ -8,6 +8,7 @@
 #include "models/finite_volume/cells.h"
 #include "mpm/curvature.h"
 #include "mpm/ground_walls.h"
+#include "physics/friction_voellmy.h"
 
 namespace frana::finite_volume {
 namespace {

@@ -55,9 +55,6 @@ struct Laws {
     voellmy_bingham::BedFriction friction;
     voellmy_bingham::PlaneStressLaw stress;
     voellmy_bingham::BedExchange exchange;
-    /// Null: the bed does not change.
-    void (*exchange_at_nodes)(const NodeRange&, const voellmy_bingham::BedExchange&, double dt, double least_depth,
-                              const BedState*, const NodeGrid&, ErodibleBed*) = nullptr;
 };
 
 /// The cells and where the flow is.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <utility>
-#include <variant>
 
 #include "models/finite_volume/jumps.h"
 #include "models/finite_volume/sweeps.h"
@@ -65,7 +64,7 @@ void for_tiles_round(const State& s, const Region& r, std::int64_t reach, const 
 }
 
 bool may_rest(const Laws& laws) {
-    return laws.friction.keeps_rest() && laws.exchange_at_nodes == nullptr && !laws.friction.pore_pressure.active();
+    return laws.friction.keeps_rest() && !laws.exchange.at_nodes && !laws.friction.pore_pressure.active();
 }
 
 // Surveys a tile: what is in it and where something may move. What friction held in the last step, and was at rest

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "models/finite_volume/step.h"
 #include "mpm/curvature.h"
+#include "physics/pore_pressure.h"
 
 namespace frana::finite_volume {
 namespace {
@@ -100,7 +100,7 @@ class Sweeps {
         BedState* const states = s_.bed_states.data();
         pool_.for_each(s_.prepared.size(), [&](std::size_t n) { fill_bed_states(s_.prepared[n], 0); });
         for_prepared_rows([&](std::size_t first, std::size_t count) {
-            if (std::holds_alternative<NoExcess>(friction.excess)) {
+            if (!friction.excess.speed_after) {
                 kernels_.prepare_summed(c_, first, count, v_, {NoExcess{}, states, friction.yields});
             } else {
                 prepare_excess(c_, first, count, v_, friction.excess, states);
@@ -175,7 +175,7 @@ class Sweeps {
         for_rows([&](Strip& strip, std::size_t first, std::size_t count) {
             if (!friction.summed) {
                 kernels_.finish(c_, first, count, v_, UniformFriction{friction.voellmy}, strip.totals);
-            } else if (std::holds_alternative<NoExcess>(friction.excess)) {
+            } else if (!friction.excess.speed_after) {
                 kernels_.finish_summed(c_, first, count, v_, {NoExcess{}, states, friction.yields}, strip.totals);
             } else {
                 finish_excess(c_, first, count, v_, friction.excess, states, strip.totals);
@@ -184,16 +184,15 @@ class Sweeps {
     }
     // The force of the in-plane stress, and its bound of the step.
     void strain() {
-        if (std::holds_alternative<NoStress>(laws_.stress.law)) return;
-        for_strips(
-            [&](Strip& strip) { std::visit([&](const auto& law) { strain_strip(law, strip); }, laws_.stress.law); });
+        if (!laws_.stress.law) return;
+        for_strips([&](Strip& strip) { strain_strip(strip); });
         s_.diffusivity = 0;
         for (std::size_t n = 0; n < s_.n_strips; ++n)
             s_.diffusivity = std::max(s_.diffusivity, s_.strips[n].diffusivity);
     }
     // The change of momentum by it.
     void push() {
-        if (std::holds_alternative<NoStress>(laws_.stress.law)) return;
+        if (!laws_.stress.law) return;
         for_rows([&](Strip&, std::size_t first, std::size_t count) {
             for (std::size_t k = first; k < first + count; ++k) {
                 const double fx = v_.dt * s_.force_x[k], fy = v_.dt * s_.force_y[k];
@@ -205,7 +204,7 @@ class Sweeps {
     }
     // Eroded material is at rest, deposited and detrained material leaves with its momentum.
     void exchange() {
-        if (laws_.exchange_at_nodes == nullptr) return;
+        if (!laws_.exchange.at_nodes) return;
         for_strips([&](Strip& strip) {
             const Region& r = strip.region;
             const NodeRange range(r.i0, r.i1, r.j0, r.j1);
@@ -214,8 +213,7 @@ class Sweeps {
                 const double mass = c_.depth[k] > v_.dry ? c_.depth[k] * s_.cell_area() : 0;
                 s_.nodes.records[k].motion = {motion.u, motion.v, 0, 0, mass, 1, 0, 0};
             });
-            laws_.exchange_at_nodes(range, laws_.exchange, v_.dt, 2 * v_.dry, s_.bed_states.data(), s_.nodes,
-                                    s_.erodible_beds.data());
+            laws_.exchange.at_nodes(range, v_.dt, 2 * v_.dry, s_.bed_states.data(), s_.nodes, s_.erodible_beds.data());
         });
         // After all have been computed: slopes are read across strips.
         std::vector<ExchangeReport> reports(s_.n_strips);
@@ -332,8 +330,7 @@ class Sweeps {
         }
     }
     // The force of the divergence of h sigma, from the stress at the faces between wet cells.
-    template <class Law>
-    void strain_strip(const Law& law, Strip& strip) {
+    void strain_strip(Strip& strip) {
         Workspace work(strip, strip.region.i1 - strip.region.i0 + 4);
         const auto count = static_cast<std::size_t>(strip.region.i1 - strip.region.i0);
         const CellRow *south = &work.rows[0], *here = &work.rows[1], *north = &work.rows[2];
@@ -349,10 +346,9 @@ class Sweeps {
                                 double v_x, double u_y, double v_y) -> PlaneStress<double> {
             const double depth = std::min(b.depth[p], c.depth[q]);  // the mean would push thin edges too hard
             if (!(depth > 0)) return {0, 0, 0, 0};
-            PlaneStress<double> s{0, 0, 0, 0};
-            if constexpr (Law::active)
-                s = law(StrainRate<double>{u_x, 0.5 * (u_y + v_x), v_y, 0.5 * (b.speed[p] + c.speed[q]),
-                                           0.5 * (b.normal[p] + c.normal[q]), depth});
+            const PlaneStress<double> s =
+                laws_.stress.law({u_x, 0.5 * (u_y + v_x), v_y, 0.5 * (b.speed[p] + c.speed[q]),
+                                  0.5 * (b.normal[p] + c.normal[q]), depth});
             strip.diffusivity = std::max(strip.diffusivity, s.diffusivity);
             return {depth * s.xx, depth * s.xy, depth * s.yy, 0};
         };

@@ -6,8 +6,7 @@
 
 #include "mpm/node_friction.h"
 #include "mpm/node_grid.h"
-#include "physics/kernel_laws.h"
-#include "physics/pore_pressure.h"
+#include "physics/parameters.h"
 
 namespace frana::voellmy_bingham {
 

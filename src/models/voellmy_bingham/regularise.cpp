@@ -89,14 +89,7 @@ FlowSpeeds speeds_of(const ParticleSet& particles, std::size_t p, const Laws& la
 double diffusivity_of(const ParticleSet& particles, std::size_t p, const Laws& laws) {
     const double depth = particles[Field::volume][p] / particles[Field::area][p];
     const StrainRate<double> rate{0, 0, 0, particles[Field::u][p], particles[Field::v][p], depth};
-    return std::visit(
-        [&]<class Stress>(const Stress& law) {
-            if constexpr (Stress::active)
-                return law(rate).diffusivity;
-            else
-                return 0.0;
-        },
-        laws.stress.law);
+    return laws.stress.law ? laws.stress.law(rate).diffusivity : 0;
 }
 
 // Shortens the next step as a particle requires that no step has moved yet.

@@ -20,8 +20,6 @@ struct Stages {
     void (*find_held_nodes)(const NodeRange&, const NodeUpdate&, const BedFriction&, BedState*, NodeGrid&) = nullptr;
     NodeReport (*update_nodes)(const NodeRange&, const NodeUpdate&, const BedFriction&, BedState*, double time,
                                NodeGrid&, Maxima&) = nullptr;
-    void (*exchange_at_nodes)(const NodeRange&, const BedExchange&, double dt, double least_depth, const BedState*,
-                              const NodeGrid&, ErodibleBed*) = nullptr;
     void (*exchange_with_particles)(std::size_t begin, std::size_t end, const NodeGrid&, const ErodibleBed*,
                                     ParticleSet&, double* kept, double* lost, ExchangeReport&) = nullptr;
     ParticleReport (*nodes_to_particles)(const ParticleTile&, const ParticleUpdate&, const PlaneStressLaw&,

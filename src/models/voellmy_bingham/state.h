@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <utility>
 #include <vector>
 
 #include "core/default_values.h"
 #include "models/voellmy_bingham/bed_friction.h"
 #include "mpm/active_tiles.h"
-#include "mpm/bed_exchange.h"
+#include "mpm/erodible_bed.h"
 #include "mpm/flight.h"
 #include "mpm/ground_walls.h"
 #include "mpm/node_grid.h"
@@ -16,7 +17,7 @@
 #include "particles/particle_set.h"
 #include "particles/resample.h"
 #include "particles/tile_order.h"
-#include "physics/kernel_laws.h"
+#include "physics/strain_rate.h"
 
 namespace frana::voellmy_bingham {
 
@@ -67,17 +68,19 @@ void serialise(Archive& archive, State& state) {
     if constexpr (Archive::k_reads) archive.require(order.restore(particles));
 }
 
-/// In-plane stress: one of the laws, or none.
+/// In-plane stress.
 struct PlaneStressLaw {
-    StressLaws::Chosen<NoStress> law;
+    /// One of StressLaws, which the sweeps over particles find in it; empty: none.
+    std::function<PlaneStress<double>(const StrainRate<double>&)> law;
     double wave_factor = 1;  ///< square of the factor on the speed of pressure waves
 };
 
-/// Erosion, deposition and detrainment: one law of each, or none.
+/// Erosion, deposition and detrainment.
 struct BedExchange {
-    ErosionLaws::Chosen<NoExchange> erosion;
-    DepositionLaws::Chosen<NoExchange> deposition;
-    DetrainmentLaws::Chosen<NoExchange> detrainment;
+    /// Computes them at the nodes of a tile, over dt; empty: the bed does not change.
+    /// @param least_depth that deposition leaves [m]
+    std::function<void(const NodeRange&, double dt, double least_depth, const BedState*, const NodeGrid&, ErodibleBed*)>
+        at_nodes;
     PorePressure::State bed;          ///< of eroded material
     double density = k_flow_density;  ///< [kg/m3]
 };

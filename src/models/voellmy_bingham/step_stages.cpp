@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "models/voellmy_bingham/step_stages.h"
+#include "mpm/bed_exchange.h"
 #include "mpm/boundary.h"
 #include "mpm/held_state.h"
 #include "mpm/levels.h"
@@ -45,7 +46,7 @@ void sweep_nodes(Step& now, const std::vector<std::int64_t>& tiles, VectorNodeKe
 // that change with time or act across the edges.
 bool may_rest(const Laws& laws, const Stages& stages) {
     return laws.skips_rest && laws.friction.keeps_rest() && stages.pore_pressure_to_nodes == nullptr && !laws.wall &&
-           stages.exchange_at_nodes == nullptr;
+           !laws.exchange.at_nodes;
 }
 
 void mix_with_bed(State& state, const PorePressure::State& bed, ThreadPool& pool) {
@@ -191,8 +192,8 @@ void exchange_with_bed(Step& now) {
     if (!now.exchanges()) return;
     State& state = now.state;
     for_node_tiles(state, state.order.node_tiles(), now.pool, [&](const NodeRange& range) {
-        now.stages.exchange_at_nodes(range, now.laws.exchange, now.drift, now.laws.resample.minimum_depth,
-                                     state.bed_states.data(), state.nodes, state.erodible_beds.data());
+        now.laws.exchange.at_nodes(range, now.drift, now.laws.resample.minimum_depth, state.bed_states.data(),
+                                   state.nodes, state.erodible_beds.data());
     });
     for_node_tiles(state, state.order.node_tiles(), now.pool,
                    [&](const NodeRange& range) { move_bed(range, state.erodible_beds.data(), state.nodes); });

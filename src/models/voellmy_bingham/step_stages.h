@@ -28,7 +28,7 @@ struct Step {
     StepReport report;
 
     /// Whether material is exchanged with the bed: only while positions move.
-    [[nodiscard]] bool exchanges() const noexcept { return stages.exchange_at_nodes != nullptr && drift > 0; }
+    [[nodiscard]] bool exchanges() const noexcept { return laws.exchange.at_nodes && drift > 0; }
 };
 
 /// Sets kick and drift. Reads State::speeds, diffusivity, velocity_lag.

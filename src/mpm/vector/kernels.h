@@ -3,7 +3,6 @@
 
 #include "mpm/nodes_to_particles.h"
 #include "mpm/update_nodes.h"
-#include "physics/kernel_laws.h"
 
 namespace frana {
 
@@ -20,12 +19,7 @@ struct VectorKernels {
     void (*particles_and_levels_to_nodes)(const ParticleTile&, const ParticleSet&, NodeGrid&);
     using Pressure = void (*)(const ParticleTile&, const ParticleSet&, double gravity, NodeGrid&);
     Pressure pressure_to_nodes, pressure_and_stress_to_nodes;
-    template <class Stress>
-    struct NodesToParticles {
-        ParticleReport (*stage)(const ParticleTile&, const ParticleUpdate&, const Stress&, const NodeGrid&,
-                                ParticleSet&);
-    };
-    StressLaws::ForEach<NodesToParticles, NoStress> nodes_to_particles;
+    const struct StressKernels& nodes_to_particles;  ///< by the law of stress: mpm/vector/stress_kernels.h
 };
 
 /// The sweeps over nodes of tiles that are four_at_a_time; update_nodes<Curved<NormalSlope>>. Products and sums are not

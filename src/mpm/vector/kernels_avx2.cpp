@@ -7,6 +7,7 @@
 #include "mpm/vector/nodes_to_particles.h"
 #include "mpm/vector/particles_to_nodes.h"
 #include "mpm/vector/pressure.h"
+#include "mpm/vector/stress_kernels.h"
 
 namespace frana {
 namespace {
@@ -19,16 +20,18 @@ ParticleReport shifting_or_not(const ParticleTile& tile, const ParticleUpdate& u
 }
 
 template <class Stress>
-struct OfStress : VectorKernels::NodesToParticles<Stress> {
-    constexpr OfStress() : VectorKernels::NodesToParticles<Stress>{shifting_or_not<Stress>} {}
+struct OfStress : NodesToParticles<Stress> {
+    constexpr OfStress() : NodesToParticles<Stress>{shifting_or_not<Stress>} {}
 };
+
+constexpr StressKernels k_stress_kernels{StressLaws::ForEach<OfStress, NoStress>{}};
 
 constexpr VectorKernels k_kernels{k_compiled_instructions == Instructions::avx512 ? "AVX-512" : "AVX2 and FMA",
                                   vector_particles_to_nodes<false>,
                                   vector_particles_to_nodes<true>,
                                   vector_pressure_to_nodes<false>,
                                   vector_pressure_to_nodes<true>,
-                                  StressLaws::ForEach<OfStress, NoStress>{}};
+                                  k_stress_kernels};
 
 }  // namespace
 

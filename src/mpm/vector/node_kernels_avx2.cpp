@@ -3,6 +3,7 @@
 #include "mpm/vector/kernels.h"
 #if defined(__AVX2__)
 #include "mpm/vector/update_nodes.h"
+#include "physics/friction_voellmy.h"
 
 namespace frana {
 namespace {

@@ -149,9 +149,9 @@ void check_friction_table(const SceneSpec& scene, const std::set<std::string>& g
 }
 
 void check_angles(const SceneSpec& scene, const std::string& file, Problems& problems) {
-    const CoulombFriction::Values& m = scene.material.of<CoulombFriction>();
-    if (!m.friction_angle && !m.friction_coefficient) return;
-    const double mu = m.bed_friction_coefficient(), bed_deg = std::atan(mu) * 180 / std::numbers::pi;
+    const std::optional<double> friction = friction_coefficient_of(scene.material);
+    if (!friction) return;
+    const double mu = *friction, bed_deg = std::atan(mu) * 180 / std::numbers::pi;
     const std::vector<Parameter>& parameters = scene_parameters();
     for (const Law* law : laws_of(scene)) {
         if (const Parameter* angle = find_parameter(parameters, law->angle_from_bed)) {
@@ -181,7 +181,7 @@ void check_pores(const SceneSpec& scene, const std::string& file, Problems& prob
                       Place(file, "material.pore-dissipation-time"), shortest_text(*m.pore_dissipation_time) + " s", "",
                       "Keep one of the two"});
     }
-    const PorePressure pores = m.pore_pressure(scene.material.density);
+    const PorePressure pores = pore_pressure_of(scene.material);
     if (pores.dissipates() && !pores.active()) {
         problems.add({"is given without a pore pressure", Place(file, time), "", "",
                       "Set material.pore-pressure-ratio (one phase: or pore-fluid-density), or remove it"});

@@ -224,4 +224,14 @@ std::string in_plane_stress(const Material& material) {
     return BinghamStress::word;
 }
 
+std::optional<double> friction_coefficient_of(const Material& material) {
+    const CoulombFriction::Values& values = material.of<CoulombFriction>();
+    if (!values.friction_angle && !values.friction_coefficient) return {};
+    return values.bed_friction_coefficient();
+}
+
+PorePressure pore_pressure_of(const Material& material) {
+    return material.of<CoulombFriction>().pore_pressure(material.density);
+}
+
 }  // namespace frana

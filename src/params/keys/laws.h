@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -10,6 +11,8 @@
 #include "physics/law.h"
 
 namespace frana {
+
+struct PorePressure;
 
 /// Returns whether the model of a scene reads a key.
 bool model_reads(const SceneSpec& scene, const std::string& name);
@@ -45,5 +48,9 @@ std::vector<std::string> law_words(const std::string& first, LawKind kind, const
 std::vector<std::string> bed_friction_terms(const Material& material);
 /// Returns the resolved value: the word of a law, or none.
 std::string in_plane_stress(const Material& material);
+/// Returns tan(phi) of bed friction; nothing if no key gives it.
+std::optional<double> friction_coefficient_of(const Material& material);
+/// Returns the law of pore pressure with the values of its keys.
+PorePressure pore_pressure_of(const Material& material);
 
 }  // namespace frana

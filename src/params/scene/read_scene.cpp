@@ -19,7 +19,6 @@
 #include "params/keys/used_keys.h"
 #include "params/scene/read_friction_table.h"
 #include "params/scene/read_scheme.h"
-#include "physics/friction_coulomb.h"
 
 namespace frana {
 
@@ -240,8 +239,8 @@ void SceneReader::apply(KeySource source) {
                                source.where(k_angle), "", "", "Keep one of the two"});
     }
     // Both keys specify one quantity: a later source replaces the value that an earlier one gave under the other name.
-    if (source.has(k_angle)) reading_.scene.material.of<CoulombFriction>().friction_coefficient.reset();
-    if (source.has(k_coefficient)) reading_.scene.material.of<CoulombFriction>().friction_angle.reset();
+    if (source.has(k_angle)) find_parameter(parameters_, k_coefficient)->reset(reading_.scene);
+    if (source.has(k_coefficient)) find_parameter(parameters_, k_angle)->reset(reading_.scene);
     if (source.has("material.friction-table"))
         for (const std::string& name : law_keys())
             if (gives_by_table(name)) forget(name);

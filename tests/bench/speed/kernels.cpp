@@ -13,6 +13,8 @@
 #include "mpm/pressure.h"
 #include "mpm/update_nodes.h"
 #include "mpm/vector/kernels.h"
+#include "mpm/vector/stress_kernels.h"
+#include "physics/friction_voellmy.h"
 
 namespace frana::bench {
 namespace {
@@ -89,25 +91,21 @@ std::vector<KernelCase> kernel_cases() {
                      }});
     const VectorKernels* fast = vector_kernels();
     if (!fast) return cases;
-    using Plain = VectorKernels::NodesToParticles<NoStress>;
-    using Stressed = VectorKernels::NodesToParticles<BinghamStress>;
+    const auto plain = fast->nodes_to_particles.of<NoStress>();
+    const auto stressed = fast->nodes_to_particles.of<BinghamStress>();
     cases.push_back(
         {"particles to nodes, fast", [=] { fast->particles_and_levels_to_nodes(t->run, t->particles, t->gathered); }});
     cases.push_back({"pressure, fast", [=] { fast->pressure_to_nodes(t->run, t->particles, k_fall, t->gathered); }});
     cases.push_back({"pressure and stress, fast",
                      [=] { fast->pressure_and_stress_to_nodes(t->run, t->particles, k_fall, t->gathered); }});
-    cases.push_back({"nodes to particles, fast", [=] {
-                         std::get<Plain>(fast->nodes_to_particles).stage(t->run, t->update, {}, t->moved, t->particles);
-                     }});
+    cases.push_back({"nodes to particles, fast", [=] { plain(t->run, t->update, {}, t->moved, t->particles); }});
     cases.push_back({"nodes to particles, shifting, fast", [=] {
                          ParticleUpdate shifting = t->update;
                          shifting.shift = k_shift;
-                         std::get<Plain>(fast->nodes_to_particles).stage(t->run, shifting, {}, t->moved, t->particles);
+                         plain(t->run, shifting, {}, t->moved, t->particles);
                      }});
-    cases.push_back(
-        {"nodes to particles with stress, fast", [=] {
-             std::get<Stressed>(fast->nodes_to_particles).stage(t->run, t->update, t->stress, t->moved, t->particles);
-         }});
+    cases.push_back({"nodes to particles with stress, fast",
+                     [=] { stressed(t->run, t->update, t->stress, t->moved, t->particles); }});
     return cases;
 }
 

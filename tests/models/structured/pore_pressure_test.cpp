@@ -24,7 +24,7 @@ StructuredMaterial debris(double cohesion, double ratio) {
     m.friction = m.bed_friction = std::tan(20 * k_degree);
     m.young_modulus = 1e8;
     m.bulk_modulus = 1e8 / 1.5;
-    m.pores.pore_pressure_ratio = ratio;
+    m.pores.initial.ratio = ratio;
     return m;
 }
 constexpr double k_whole = 1e9;  // cohesion of blocks [Pa]
@@ -64,7 +64,7 @@ TEST(PorePressureOfSolids, ConsolidatesWithTheSquareOfTheThickness) {
             StructuredMaterial m = debris(k_whole, 0.9);
             m.solid_fraction = layer.solid_fraction;
             m.pore_pressure_fraction = layer.reaches;
-            m.pores.hydraulic_diffusivity = 0.05;
+            m.pores.diffusivity = 0.05;
             StructuredFlow flow = flow_of(flat(12, 12, 2), m, [&](Point p) {
                 return bench::Seed{std::abs(p.x - 12) < 6 && std::abs(p.y - 12) < 6 ? depth : 0};
             });
@@ -92,7 +92,7 @@ TEST(PorePressureOfSolids, FrictionOfASlidingBlockRecovers) {
         9.81 * ((std::sin(slope * k_degree) - mu * cosine) * end + mu * cosine * start * t * (1 - std::exp(-end / t)));
     const auto error = [&](double step) {
         StructuredMaterial m = debris(k_whole, start);
-        m.pores.hydraulic_diffusivity = diffusivity;
+        m.pores.diffusivity = diffusivity;
         StructuredFlow flow = flow_of(incline(slope, 30, 12, 10), m, [&](Point p) {
             return bench::Seed{std::abs(p.x - 90) < 30 && std::abs(p.y - 60) < 20 ? depth : 0};
         });
@@ -249,8 +249,8 @@ TEST(PorePressureOfSolids, LooseOnesLiquefyAndDenseOnesStop) {
         StructuredMaterial m = debris(0, 0);
         m.solid_fraction = fraction;
         m.grain_density = 2600;
-        m.pores.hydraulic_diffusivity = 1e-3;
-        m.pores.critical_solid_fraction = 0.56;
+        m.pores.diffusivity = 1e-3;
+        m.pores.critical_fraction = 0.56;
         m.pores.compressibility = 1e-5;
         StructuredFlow flow =
             flow_of(incline(14, 80, 20, 1), m, [](Point p) { return bench::Seed{p.x > 20 && p.x < 50 ? 1.0 : 0}; });

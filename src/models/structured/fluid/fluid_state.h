@@ -8,8 +8,7 @@
 #include "core/zero_array.h"
 #include "models/finite_volume/state.h"
 #include "mpm/curvature.h"
-#include "physics/infiltration_green_ampt.h"
-#include "physics/rain.h"
+#include "physics/parameters.h"
 
 namespace frana::structured {
 

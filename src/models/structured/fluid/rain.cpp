@@ -7,6 +7,8 @@
 
 #include "models/finite_volume/step.h"
 #include "models/structured/fluid/fluid_step.h"
+#include "physics/infiltration_green_ampt.h"
+#include "physics/rain.h"
 
 namespace frana::structured {
 namespace {

@@ -8,6 +8,7 @@
 #include "mpm/curvature.h"
 #include "mpm/node_grid.h"
 #include "particles/cell_order.h"
+#include "physics/pore_pressure.h"
 
 namespace frana::structured {
 

@@ -7,7 +7,7 @@
 
 #include "core/default_values.h"
 #include "models/structured/coupling/basal_pressure.h"
-#include "physics/pore_pressure.h"
+#include "physics/parameters.h"
 
 namespace frana::structured {
 
