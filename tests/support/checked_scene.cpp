@@ -43,7 +43,7 @@ std::vector<Problem> CheckedScene::refusal(const std::vector<std::string>& words
     for (const app::Command& command : app::commands()) {
         if (command.name != words.front()) continue;
         try {
-            command.run({words.begin() + 1, words.end()});
+            app::run_command(command, {words.begin() + 1, words.end()});
         } catch (const Error& error) {
             problems = error.problems();
         } catch (const std::exception& error) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "basin.h"
+#include "physics/rain.h"
 
 namespace frana::structured::test {
 namespace {
