@@ -42,8 +42,7 @@ TEST_F(HostileNames, ChartsOfAllProfilesAndNoFormulaInATable) {
     write_scene(
         "[output]\nmaps = max_depth\nmap-size = 640x480\nanimation = off\nframes = off\nprofiles = profiles.geojson\n"
         "gauges = gauges.geojson\n");
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = succeeded(run());
     EXPECT_EQ(outcome.err.find("could not be drawn"), std::string::npos) << outcome.err;
     std::vector<std::string> charts;
     for (const auto& entry : fs::directory_iterator(path("result/charts"))) charts.push_back(entry.path().filename());
@@ -57,8 +56,7 @@ TEST_F(HostileNames, ChartsOfAllProfilesAndNoFormulaInATable) {
     EXPECT_NE(gauges.find(",'-2+3,"), std::string::npos);
     EXPECT_NE(gauges.find(",plain,"), std::string::npos);
     // Drawn again they have the same names.
-    const Outcome again = frana({"render", "result", "--charts", "--size", "640x480", "--out", "again"});
-    ASSERT_EQ(again.exit_code, 0) << again.err;
+    const Outcome again = succeeded(frana({"render", "result", "--charts", "--size", "640x480", "--out", "again"}));
     for (const std::string& chart : charts) EXPECT_TRUE(fs::exists(path("again/" + chart))) << chart;
     EXPECT_EQ(read_text(path("result/report.html")).find("<script"), std::string::npos);
 }
@@ -71,8 +69,7 @@ TEST_F(HostileNames, BytesThatAreNotUtf8) {
         "animation = off\n[scar]\nperimeter = perimeter.geojson\n");
     for (const char* file : {"dtm.asc", "dtm.prj", "perimeter.geojson", "scene.ini"})
         fs::copy(path(file), path(folder + "/" + file));
-    const Outcome outcome = run(folder + "/scene.ini");
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run(folder + "/scene.ini"));
     EXPECT_NE(json_text(read_text(path("result/summary.json")), "scene").find("caf\\xe9"), std::string::npos);
     for (const std::string& file : files()) {
         const std::string name = fs::path(file).filename();
@@ -84,11 +81,9 @@ TEST_F(HostileNames, BytesThatAreNotUtf8) {
     const std::string report = read_text(path("result/report.html"));
     EXPECT_EQ(report.find("<i>"), std::string::npos);
     EXPECT_NE(report.find("caf\\xe9 &lt;i&gt;&amp;amp;&quot;"), std::string::npos);
-    const Outcome info = frana({"check", "result/scene.ini"});
-    EXPECT_EQ(info.exit_code, 0) << info.err;
+    succeeded(frana({"check", "result/scene.ini"}));
     // The scene is preserved byte for byte: it can be run.
-    const Outcome again = run("result/scene.ini", "again");
-    ASSERT_EQ(again.exit_code, 0) << again.err;
+    const Outcome again = succeeded(run("result/scene.ini", "again"));
     const auto values = [&](const std::string& result) {
         const std::string text = read_text(path(result + "/scene.ini"));
         return text.substr(text.find("\n[scene]"));
@@ -109,8 +104,7 @@ TEST_F(HostileNames, ControlCharactersAndMarksOfDirectionInNoPictureOrPage) {
         "profiles = profiles.geojson\ngauges = gauges.geojson\ncross-sections = sections.geojson\n"
         "title = ev\u202Eent\n");
     const Outcome check = frana({"check", "scene.ini"});
-    const Outcome outcome = frana({"run", "scene.ini", "--out", "result"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = succeeded(frana({"run", "scene.ini", "--out", "result"}));
     for (const std::string& shown : {check.out, check.err, outcome.err})
         for (const char* mark : {"\x1b", "\x01", "\u202e"}) EXPECT_EQ(shown.find(mark), std::string::npos) << shown;
     int pages = 0;
@@ -134,10 +128,8 @@ TEST_F(HostileNames, TitlesOfFoldersSurviveTheEcho) {
         for (const std::string file : {"dtm.asc", "perimeter.geojson"})
             scene.replace(scene.find("= " + file), 2, "= " + folder_.string() + "/");
         write(folder + "/scene.ini", scene);
-        const Outcome first = run(folder + "/scene.ini", "first");
-        ASSERT_EQ(first.exit_code, 0) << folder << first.err;
-        const Outcome second = run("first/scene.ini", "second");
-        ASSERT_EQ(second.exit_code, 0) << folder << second.err;
+        const Outcome first = succeeded(run(folder + "/scene.ini", "first"));
+        const Outcome second = succeeded(run("first/scene.ini", "second"));
         const auto title = [&](const std::string& result) {
             const std::string text = read_text(path(result + "/scene.ini"));
             const auto at = text.find("\ntitle = ");
@@ -153,11 +145,11 @@ TEST_F(HostileNames, TitlesOfFoldersSurviveTheEcho) {
 // Three thousand letters took half a minute. Of processor time: other programs take the clock's.
 TEST_F(HostileNames, LongTitlesAreCutAndFast) {
     write_scene("[output]\nmaps = max_depth\nmap-size = 640x480\nanimation = off\nframes = off\n");
-    ASSERT_EQ(run().exit_code, 0);
+    succeeded(run());
     const auto seconds = [&](const std::string& title) {
-        const Outcome outcome = frana({"render", "result", "--map", "max_depth", "--view", "2d", "--size", "640x480",
-                                       "--title", title, "--attribution", title, "--out", "drawn"});
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        const Outcome outcome =
+            succeeded(frana({"render", "result", "--map", "max_depth", "--view", "2d", "--size", "640x480", "--title",
+                             title, "--attribution", title, "--out", "drawn"}));
         return outcome.cpu_seconds;
     };
     const double usual = seconds("Slope");

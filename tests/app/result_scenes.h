@@ -41,14 +41,12 @@ class ResultScenes : public TinyScene {
                   k_one_day + text);
         std::vector<std::string> arguments{"run", "scene.ini", "--out", result, "--quiet"};
         arguments.insert(arguments.end(), more.begin(), more.end());
-        const Outcome outcome = frana(arguments);
-        ASSERT_EQ(outcome.exit_code, 0) << result << ": " << outcome.err;
+        succeeded(frana(arguments));
     }
     void render(const std::vector<std::string>& words) const {
         std::vector<std::string> arguments{"render", "old"};
         arguments.insert(arguments.end(), words.begin(), words.end());
-        const Outcome outcome = frana(arguments);
-        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        succeeded(frana(arguments));
     }
     /// Everything that can be drawn later.
     void render_all() const {
@@ -56,9 +54,7 @@ class ResultScenes : public TinyScene {
         render({"--animation", "old/film.gif", "--size", "640x480"});
         render({"--map", "depth@1", "--map", "dtm", "--size", "640x480"});
         render({"--map", "max_depth", "--out", "old/more", "--size", "640x480"});
-        ASSERT_EQ(
-            frana({"compare", "old", "--scar", "scar.geojson", "--size", "640x480", "--out", "old/compared"}).exit_code,
-            0);
+        succeeded(frana({"compare", "old", "--scar", "scar.geojson", "--size", "640x480", "--out", "old/compared"}));
     }
     void copy(const std::string& from, const std::string& to) const {
         std::filesystem::copy(path(from), path(to),

@@ -65,8 +65,7 @@ void Resuming::expect_same_result(const std::string& one, const std::string& oth
 void Resuming::expect_tidy(const std::string& result) const {
     for (const std::string& name : files()) {
         if (name.rfind(result, 0) != 0) continue;
-        EXPECT_EQ(name.find("partial"), std::string::npos) << name;
-        EXPECT_EQ(name.find("checkpoint"), std::string::npos) << name;
+        expect_no_words(name, {"partial", "checkpoint"});
     }
 }
 

@@ -23,8 +23,7 @@ class BothModels : public TinyScene {
             arguments.emplace_back("--set");
             arguments.push_back(one);
         }
-        const Outcome outcome = frana(arguments);
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        succeeded(frana(arguments));
         return read_text(path("result/summary.json"));
     }
 };

@@ -81,7 +81,7 @@ class InflowAndRecords : public TinyScene {
             EXPECT_EQ(std::memcmp(cells.data(), dense.data(), cells.size_bytes()), 0) << name;
         }
         EXPECT_EQ(result.number("volume.inflow_m3"), expected.volume_inflow);
-        ASSERT_EQ(frana({"run", "scene.ini", "--out", "out", "--quiet"}).exit_code, 0);
+        succeeded(frana({"run", "scene.ini", "--out", "out", "--quiet"}));
         expect_table("gauges.csv", "bridge", result.gauges());
         expect_table("sections.csv", "road", result.sections());
         std::filesystem::remove_all(path("out"));

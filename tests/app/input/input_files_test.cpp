@@ -225,7 +225,7 @@ TEST_F(ChangedInput, IsNotResumedAndNotCalledComplete) {
         return first;
     };
     interrupt("begun", more);
-    ASSERT_EQ(frana(run("done", with({"--quiet"}))).exit_code, 0);
+    succeeded(frana(run("done", with({"--quiet"}))));
     write_polygon("scar", {{20, 50}, {210, 50}, {210, 100}, {20, 100}});
     for (const std::string result : {"begun", "done"}) {
         const Outcome outcome = frana(run(result, with({"--resume"})));

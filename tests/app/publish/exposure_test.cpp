@@ -77,8 +77,7 @@ class Exposure : public Ensemble {
 
 TEST_F(Exposure, OfARunIsThatOfTheCellsTouched) {
     write_exposed();
-    const Outcome outcome = frana({"run", "scene.ini", "--out", "out", "--quiet"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(frana({"run", "scene.ini", "--out", "out", "--quiet"}));
     const Rows all = rows("out");
     ASSERT_EQ(all.size(), 7U) << "a feature is lost";
     const Raster depth = gis::read_result_raster(path("out/max_depth.tif")),
@@ -126,8 +125,7 @@ TEST_F(Exposure, OfAnEnsembleHasProbabilities) {
     write_exposed();
     write_study("sampling = table:values.csv\nkeep = all\n", "");
     write("values.csv", "material.friction-angle,weight\n8,3\n26,1\n");
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run());
     const Rows all = rows("out");
     ASSERT_EQ(all.size(), 7U);
     for (const std::size_t feature : {0U, 2U, 3U}) {
@@ -176,10 +174,9 @@ TEST_F(Exposure, FarFeaturesDoNotSetTheMapsScale) {
         R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {"what": "far", "people": 1}, "geometry": )"
         R"({"type": "Polygon", "coordinates": [[[11, 46.5], [11.001, 46.5], [11.001, 46.501], [11, 46.5]]]}}]})");
     const auto width = [&](const std::string& exposed) {
-        const Outcome outcome = frana({"run", "scene.ini", "--out", "out", "--quiet", "--overwrite", "--set",
-                                       "output.exposure=" + exposed + ".geojson", "--set", "output.maps=max_depth",
-                                       "--set", "output.map-formats=pdf"});
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        succeeded(frana({"run", "scene.ini", "--out", "out", "--quiet", "--overwrite", "--set",
+                         "output.exposure=" + exposed + ".geojson", "--set", "output.maps=max_depth", "--set",
+                         "output.map-formats=pdf"}));
         double place[6] = {};
         const GDALDatasetUniquePtr map(GDALDataset::Open(path("out/maps/max_depth.pdf").c_str(), GDAL_OF_RASTER));
         EXPECT_TRUE(map && map->GetGeoTransform(place) == CE_None);
@@ -194,8 +191,7 @@ TEST_F(Exposure, IsAnsweredInTheLanguageOfTheScene) {
     const std::vector<std::string> report{"--quiet", "--set", "output.maps=max_depth", "--set", "output.language=de"};
     std::vector<std::string> arguments{"run", "scene.ini", "--out", "out"};
     arguments.insert(arguments.end(), report.begin(), report.end());
-    const Outcome outcome = frana(arguments);
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(frana(arguments));
     EXPECT_NE(read_text(path("out/log.txt")).find("Exposed features reached: ≥ 3 of 7; Count: ≥ 21 of 25"),
               std::string::npos);
     const std::string page = read_text(path("out/report.html"));
@@ -217,8 +213,7 @@ TEST(ExposureLayers, TellReachedFromNotReached) {
         ++layers;
         const gis::StyleText style = row.style(Words(Language::german));
         for (const std::string& text : {style.qml, style.sld})
-            for (const std::string words : {"Exponiert, erreicht", "Exponiert, nicht erreicht", "Exponiert, unbekannt"})
-                EXPECT_NE(text.find(words), std::string::npos) << row.name << ' ' << words;
+            expect_words(text, {"Exponiert, erreicht", "Exponiert, nicht erreicht", "Exponiert, unbekannt"});
         EXPECT_NE(style.qml.find("attr=\"reached\""), std::string::npos) << row.name;
     }
     EXPECT_EQ(layers, 3);
@@ -226,11 +221,9 @@ TEST(ExposureLayers, TellReachedFromNotReached) {
 
 TEST_F(Exposure, CheckCountsFeaturesAndWarnsOfThoseOffTheMap) {
     write_exposed();
-    const Outcome outcome = frana({"check", "scene.ini"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = succeeded(frana({"check", "scene.ini"}));
     EXPECT_NE(outcome.out.find("features: 7"), std::string::npos) << outcome.out;
-    EXPECT_NE(outcome.err.find("2 of 7 exposed features not on mapped ground"), std::string::npos) << outcome.err;
-    EXPECT_NE(outcome.err.find("elsewhere"), std::string::npos) << outcome.err;
+    expect_words(outcome.err, {"2 of 7 exposed features not on mapped ground", "elsewhere"});
 }
 
 TEST_F(Exposure, MistakesAreRefused) {

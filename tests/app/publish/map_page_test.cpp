@@ -33,8 +33,7 @@ class MapPage : public TinyScene {
     void run(const std::string& output, const std::string& more = "") {
         write_dtm();
         write_scene("[output]\nmaps = off\nanimation = off\ncharts = off\n" + output + "\n" + more);
-        const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
-        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        succeeded(frana({"run", "scene.ini", "--out", "result", "--quiet"}));
     }
     /// Opens a copy of the page in which a script ends with `seen = ...`; returns that, and what the console shows.
     Json seen(const std::string& script, int width = 1200) {
@@ -214,8 +213,7 @@ TEST_F(MapPage, ShowsTheGreatestValueOfBlocksOfALargeMap) {
     write_dtm();
     write_polygon("perimeter", {{10, 10}, {290, 10}, {290, 140}, {10, 140}});
     write_scene(k_numbers_only + "[terrain]\ncell-size = 0.2\n[numerics]\nscheme = finite-volume\n");
-    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=0.02"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=0.02"}));
     const Json page = seen(
         "const values = await cellsOf(data.layers.find(one => one.name === 'max_depth')); seen = {grid, notes: "
         "document.querySelector('aside').textContent, values: []};\n"

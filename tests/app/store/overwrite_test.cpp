@@ -106,8 +106,7 @@ void Overwrite::make_studies(bool all) const {
         commands.insert(commands.end(), {{"compare", "old", "--scar", "scar.geojson", "--size", "640x480"},
                                          {"calibrate", "fitted_to_two.ini", "--out", "fitted_to_two", "--quiet"}});
     for (const std::vector<std::string>& command : commands) {
-        const Outcome outcome = frana(command);
-        ASSERT_EQ(outcome.exit_code, 0) << command[1] << ": " << outcome.err;
+        succeeded(frana(command));
     }
 }
 
@@ -237,8 +236,8 @@ TEST_F(Overwrite, RedrawingIsRefusedForChangedFiles) {
     const std::vector<std::string> compare{"compare", "old", "--scar", "scar.geojson", "--size", "640x480"},
         draw{"render", "old", "--map", "max_depth", "--map", "final_depth", "--size", "640x480"};
     for (int time = 0; time < 2; ++time) {
-        ASSERT_EQ(frana(draw).exit_code, 0);
-        ASSERT_EQ(frana(compare).exit_code, 0);
+        succeeded(frana(draw));
+        succeeded(frana(compare));
         open_as_a_gis(path("old/comparison.gpkg"), "SELECT count(*) FROM gpkg_contents");  // shown, not changed
     }
     write("old/maps/max_depth.png", "my arrows");
@@ -247,8 +246,7 @@ TEST_F(Overwrite, RedrawingIsRefusedForChangedFiles) {
         const auto before = bytes_below(path("old"));
         const Outcome outcome = frana(words);
         EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-        EXPECT_NE(outcome.err.find("was changed since frana wrote it, or is the user's"), std::string::npos);
-        EXPECT_NE(outcome.err.find(name), std::string::npos) << outcome.err;
+        expect_words(outcome.err, {"was changed since frana wrote it, or is the user's", name});
         EXPECT_TRUE(bytes_below(path("old")) == before);
     }
 }
@@ -345,16 +343,14 @@ TEST_F(Overwrite, AResultWhosePlaceIsNoLongerFreeIsKeptBesideIt) {
         const auto before = bytes_below(path("result"));
         const Outcome outcome = program.wait();
         EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
-        EXPECT_NE(outcome.err.find("the new result is complete in " + path("result.partial")), std::string::npos)
-            << outcome.err;
-        EXPECT_NE(outcome.err.find("elsewhere and publish it by the same command with --resume"), std::string::npos);
+        expect_words(outcome.err, {"the new result is complete in " + path("result.partial"),
+                                   "elsewhere and publish it by the same command with --resume"});
         EXPECT_EQ(outcome.err.find("MB free"), std::string::npos) << "it is not the disk";
         EXPECT_TRUE(bytes_below(path("result")) == before);
         EXPECT_TRUE(exists("result.partial/manifest.json"));
         fs::remove(path("result/notes.txt"));
         arguments.emplace_back("--resume");
-        const Outcome resumed = frana(arguments);
-        EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+        succeeded(frana(arguments));
         EXPECT_FALSE(exists("result.partial"));
         fs::remove_all(path("result"));
     }
@@ -378,8 +374,7 @@ TEST_F(Overwrite, AResumedRunWritesTheFilesOfAFreshOne) {
         program.send(SIGINT);
         ASSERT_EQ(program.wait().exit_code, 130);
         arguments.push_back("--resume");
-        const Outcome resumed = frana(arguments);
-        ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+        succeeded(frana(arguments));
         EXPECT_GT(expect_same_files(path(whole), path(result)), 80U);
     }
 }
@@ -401,7 +396,7 @@ TEST_F(LeftBehind, AUsersFileInTheFolderOfAKilledRunIsInTheWay) {
         EXPECT_EQ(files_below(path("result.partial")), killed);
     }
     fs::remove(path("result.partial/notes.txt"));
-    ASSERT_EQ(frana(run("result", {"--overwrite"})).exit_code, 0);
+    succeeded(frana(run("result", {"--overwrite"})));
     EXPECT_FALSE(fs::exists(path("result.partial")));
 }
 

@@ -73,8 +73,7 @@ const std::string k_volumes = "[frequency]\nvolumes = 2000: 20, 4000: 100, 8000:
 TEST_F(Frequency, RatesOfAPileAtRestAreThoseOfItsVolumes) {
     write_dtm([](int, int column) { return 300 - 0.05 * column * k_cell; });
     write_study("samples = 64\n", "[set]\nmaterial.friction-angle = 45\ntime.end = 1\n" + k_volumes);
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run());
     int compared = 0;
     for (const auto& row : curve("g0")) {
         const double depth = std::stod(row.at("value")), truth = rate_above(depth * k_release_area),
@@ -101,8 +100,7 @@ TEST_F(Frequency, AnUncertainLawOfVolumesWidensTheBand) {
                     "[set]\nmaterial.friction-angle = 45\ntime.end = 1\n[vary]\nrelease.volume = "
                     "pareto(2000, 1.2, 16000)\n[frequency]\nrate = 0.05\n" +
                         more);
-        const Outcome outcome = run({"--overwrite"});
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        succeeded(run({"--overwrite"}));
         return std::pair(band("out/annual_rate_depth_2", 1), band("out/annual_rate_depth_2", 2));
     };
     write("scene.ini", read_text(path("scene.ini")) + "depth-thresholds = 2\n");
@@ -144,8 +142,7 @@ TEST_F(Frequency, DamageOfAPileAtRestIsThatOfItsHazardCurve) {
               "depth-thresholds = 0.1, 2\nexposure = houses.geojson\n[exposure]\nfragility = fragility.csv\n"
               "value = worth\nclass = kind\n");
     write_study("samples = 64\n", "[set]\nmaterial.friction-angle = 45\ntime.end = 1\n" + k_volumes);
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run());
     const gis::Table table = gis::read_table(path("out/exposure.csv"), "exposure");
     const auto number = [&](std::size_t row, const std::string& name) {
         const auto column = std::find(table.columns.begin(), table.columns.end(), name) - table.columns.begin();
@@ -170,7 +167,7 @@ TEST_F(Frequency, DamageOfAPileAtRestIsThatOfItsHazardCurve) {
     write("plain.ini",
           "[study]\nscene = scene.ini\nsamples = 32\n[set]\nmaterial.friction-angle = 45\ntime.end = 1\n[vary]\n"
           "release.volume = uniform(2000, 8000)\n");
-    ASSERT_EQ(frana({"ensemble", "plain.ini", "--out", "plain", "--quiet"}).exit_code, 0);
+    succeeded(frana({"ensemble", "plain.ini", "--out", "plain", "--quiet"}));
     const gis::Table event = gis::read_table(path("plain/exposure.csv"), "exposure");
     const auto of_event = [&](const std::string& name) {
         const auto column = std::find(event.columns.begin(), event.columns.end(), name) - event.columns.begin();
@@ -206,8 +203,7 @@ TEST_F(Frequency, DamageOfAPileAtRestIsThatOfItsHazardCurve) {
 TEST_F(Frequency, RatesAtDistancesAreWithinTheirMargins) {
     write_study("samples = 64\nkeep = all\n",
                 "[set]\ntime.end = 20\n[frequency]\nrate = 0.05 +- 0.02\n" + k_volumes.substr(12));
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run());
     const std::string raster = "out/annual_rate_depth_0.5";
     const std::vector<double> rates = band(raster, 1), margins = band(raster, 2);
     const Rows all = members();
@@ -244,10 +240,9 @@ TEST_F(Frequency, RatesAtDistancesAreWithinTheirMargins) {
 TEST_F(Frequency, OfOneEventTheMapsAreThoseOfTheScenario) {
     write_study("samples = 2\n",
                 "[set]\ntime.end = 20\n[frequency]\nvolumes = 4000: 50\nreturn-periods = 30, 50, 100\n");
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run());
     const std::string end = "time.end=" + members()[0].at("time.end");  // it ran on
-    ASSERT_EQ(frana({"run", "scene.ini", "--set", "release.volume=4000", "--set", end, "--out", "alone"}).exit_code, 0);
+    succeeded(frana({"run", "scene.ini", "--set", "release.volume=4000", "--set", end, "--out", "alone"}));
     const std::vector<double> scenario = band("alone/max_depth", 1), speed = band("alone/max_velocity", 1),
                               rates = band("out/annual_rate_depth_0.5", 1), t30 = band("out/max_depth_T30", 1),
                               t50 = band("out/max_depth_T50", 1), t100 = band("out/max_depth_T100", 1),
@@ -271,23 +266,19 @@ TEST_F(Frequency, SameBitsForAnyNumberOfThreadsAndAfterAKill) {
                 "material.friction-angle = -0.5\n[set]\ntime.end = 20\n" +
                     k_volumes);
     for (const std::string threads : {"1", "2"})
-        ASSERT_EQ(frana({"ensemble", "study.ini", "--out", "out" + threads, "--threads", threads, "--quiet"}).exit_code,
-                  0);
+        succeeded(frana({"ensemble", "study.ini", "--out", "out" + threads, "--threads", threads, "--quiet"}));
     expect_same("out1", "out2");
     EXPECT_EQ(read_text(path("out1/hazard_curves.csv")), read_text(path("out2/hazard_curves.csv")));
     ASSERT_EQ(stop_after(8, SIGKILL).exit_code, -SIGKILL);
-    const Outcome resumed = run({"--resume"});
-    ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+    succeeded(run({"--resume"}));
     expect_same("out1", "out");
     EXPECT_EQ(read_text(path("out1/hazard_curves.csv")), read_text(path("out/hazard_curves.csv")));
 }
 
 TEST_F(Frequency, WithoutOneThereAreNoRatesAndVolumesMustFitTheScene) {
     write_study("samples = 4\n", k_two_keys);
-    ASSERT_EQ(run().exit_code, 0);
-    for (const std::string& name : files())
-        for (const char* of_frequency : {"annual_rate", "_T100", "hazard_curves"})
-            EXPECT_EQ(name.find(of_frequency), std::string::npos) << name;
+    succeeded(run());
+    for (const std::string& name : files()) expect_no_words(name, {"annual_rate", "_T100", "hazard_curves"});
     EXPECT_FALSE(parse_json(read_text(path("out/summary.json"))).contains("frequency"));
     const auto expect_refused = [&](const std::string& words) {
         const Outcome outcome = frana({"check", "study.ini"});
@@ -340,8 +331,7 @@ TEST_F(RegionFrequency, RatesOfTwoSlopesAddUpToTheirSum) {
     write_dtm([](int, int column) { return 300 - 0.05 * column * k_cell; });
     write_sources({{"a", "0.05 +- 0.02", "2000: 20, 4000: 100, 8000: 400"}, {"b", "0.1", "2000: 10, 8000: 100"}},
                   "samples = 64\n[set]\nmaterial.friction-angle = 45\ntime.end = 1\n" + k_columns_of_frequency);
-    const Outcome outcome = batch();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(batch());
     int compared = 0;
     for (const auto& row : curve("g0")) {
         const double depth = std::stod(row.at("value")), volume = depth * k_release_area;
@@ -384,9 +374,9 @@ TEST_F(RegionFrequency, OfOneSlopeTheMapsAreThoseOfTheStudy) {
         "material.friction-angle = -0.5\n[set]\ntime.end = 20\n";
     write_sources({{"a", "", "2000: 20, 4000: 100, 8000: 400"}},
                   "samples = 32\nseed = 3\n" + vary + "[columns]\nfrequency.volumes = VOLUMES\n");
-    ASSERT_EQ(batch({}, "region").exit_code, 0);
+    succeeded(batch({}, "region"));
     write_study("samples = 32\nseed = 3\n", vary + k_volumes);
-    ASSERT_EQ(run().exit_code, 0);
+    succeeded(run());
     double greatest = 0;
     for (const std::string name :
          {"annual_rate_depth_0.5", "annual_rate_velocity_5", "max_depth_T100", "max_velocity_T300"})
@@ -403,7 +393,7 @@ TEST_F(RegionFrequency, OfOneSlopeTheMapsAreThoseOfTheStudy) {
 // What is exceeded once in so many years lies in its interval, and the rate at its ends is that of the interval.
 TEST_F(RegionFrequency, ValuesOfAReturnPeriodAreWithinTheirBands) {
     write_study("samples = 64\n", "[set]\ntime.end = 20\n" + k_volumes);
-    ASSERT_EQ(run().exit_code, 0);
+    succeeded(run());
     const std::vector<double> value = band("out/max_depth_T100", 1), low = band("out/max_depth_T100", 2),
                               high = band("out/max_depth_T100", 3);
     int known = 0, wide = 0;
@@ -428,14 +418,14 @@ TEST_F(RegionFrequency, SameBitsForAnyNumberOfThreadsAndAfterAKill) {
     EXPECT_EQ(slopes[0].at("annual_rate_deviation"), 0);
     EXPECT_EQ(slopes[1].at("annual_rate"), 0.02);
     EXPECT_EQ(slopes[1].at("annual_rate_deviation"), 0.01);
-    for (const std::string threads : {"1", "2"}) ASSERT_EQ(batch({"--threads", threads}, "out" + threads).exit_code, 0);
+    for (const std::string threads : {"1", "2"}) succeeded(batch({"--threads", threads}, "out" + threads));
     {
         StartedProgram program(folder_.string(), {"batch", "region.ini", "--out", "out", "--threads", "2"});
         EXPECT_TRUE(program.wait_until([&] { return records().size() >= 8; }));
         program.send(SIGKILL);
         ASSERT_EQ(program.wait().exit_code, -SIGKILL);
     }
-    ASSERT_EQ(batch({"--resume"}).exit_code, 0);
+    succeeded(batch({"--resume"}));
     for (const std::string other : {"out2", "out"}) {
         for (const char* name : {"annual_rate_depth_0.5", "max_depth_T100"})
             for (const int number : {1, 2})
@@ -459,15 +449,13 @@ TEST_F(RegionFrequency, WhatAFrequencyNeedsIsAsked) {
     expect_refused(vary + "[columns]\nfrequency.rate = RAT\n", "Did you mean RATE?");
     expect_refused("[columns]\nfrequency.rate = RATE\nmaterial.friction-angle = VOLUMES\n" + vary, "also has a column");
     write_sources({{"a", "0.05", ""}, {"b", "5 %", ""}}, vary + "[columns]\nfrequency.rate = RATE\n");
-    const Outcome outcome = frana({"check", "region.ini"});
-    EXPECT_EQ(outcome.exit_code, 0) << "the other slope runs";
+    const Outcome outcome = succeeded(frana({"check", "region.ini"}));
     EXPECT_NE(outcome.out.find("is not a number of events a year"), std::string::npos) << outcome.out;
     // One slope without volumes fails alone, whether something else varies or not.
     for (const std::string& more : {std::string(), vary}) {
         write_sources({{"a", "", "abc"}, {"b", "", "2000: 20, 4000: 100"}},
                       "samples = 16\n" + more + "[set]\ntime.end = 1\n[columns]\nfrequency.volumes = VOLUMES\n");
-        const Outcome check = frana({"check", "region.ini"});
-        EXPECT_EQ(check.exit_code, 0) << check.err;
+        const Outcome check = succeeded(frana({"check", "region.ini"}));
         EXPECT_NE(check.out.find("is not of the form 8000: 20"), std::string::npos) << check.out;
         EXPECT_EQ(batch({"--overwrite"}).exit_code, 3) << "half of the runs failed";
         EXPECT_EQ(members().size(), 32U);
@@ -479,7 +467,7 @@ TEST_F(RegionFrequency, KeptMembersWithTheirRatesMakeTheMapAgain) {
     write_sources({{"a", "0.05", ""}, {"b", "0.02 +- 0.01", "", 25, 20}},
                   "samples = 16\nkeep = all\n[vary]\nmaterial.friction-angle = uniform(12, 20)\n[set]\ntime.end = "
                   "20\n[columns]\nfrequency.rate = RATE\n");
-    ASSERT_EQ(batch().exit_code, 0);
+    succeeded(batch());
     std::vector<double> sums(static_cast<std::size_t>(k_columns * k_rows));
     double all = 0;
     for (const auto& member : members()) {
@@ -498,7 +486,7 @@ TEST_F(RegionFrequency, KeptMembersWithTheirRatesMakeTheMapAgain) {
 // Depth times the square of the speed at one moment, never more than of both maxima.
 TEST_F(Frequency, MomentumFluxIsRecordedWhereItIsAskedFor) {
     write("scene.ini", read_text(path("scene.ini")) + "momentum-flux-thresholds = 20\nrasters = max_momentum_flux\n");
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "alone"}).exit_code, 0);
+    succeeded(frana({"run", "scene.ini", "--out", "alone"}));
     const std::vector<double> momentum = band("alone/max_momentum_flux", 1), depth = band("alone/max_depth", 1),
                               speed = band("alone/max_velocity", 1);
     double greatest = 0;
@@ -510,7 +498,7 @@ TEST_F(Frequency, MomentumFluxIsRecordedWhereItIsAskedFor) {
     }
     EXPECT_GT(greatest, 20);
     write_study("samples = 16\n", "[set]\ntime.end = 20\n" + k_volumes);
-    ASSERT_EQ(run().exit_code, 0);
+    succeeded(run());
     const std::vector<double> rates = band("out/annual_rate_momentum_flux_20", 1),
                               chances = band("out/probability_momentum_flux_20", 1);
     EXPECT_GT(*std::max_element(rates.begin(), rates.end()), 0);
