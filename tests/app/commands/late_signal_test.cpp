@@ -82,14 +82,6 @@ TEST_F(Late, SecondSignalEndsAtOnceAndResumingCompletes) {
     expect_completed("result", large);
 }
 
-// Nothing was left out: the signal came too late to matter.
-TEST_F(Late, SignalWithoutEffectIsNoError) {
-    const std::vector<std::string> plain{"--set", "output.maps=off", "--set", "output.animation=off"};
-    succeeded(stop_at("result", "max_depth.tif", {SIGTERM}, plain));
-    EXPECT_TRUE(fs::exists(path("result/summary.json")));
-    expect_tidy("result");
-}
-
 // It is told of, and drawn by the next command that can.
 TEST_F(Late, ErrorOfAPictureLeavesAResult) {
     write("photo.bil", std::string(400, '\x80'));
