@@ -68,9 +68,7 @@ TEST_F(EchoedScene, ReproducesTheRunBitForBit) {
 TEST_F(EchoedScene, MoreTerrainChangesNoBit) {
     write_scene(k_numbers_only);
     const auto run_to = [&](const std::string& result, const std::vector<std::string>& more) {
-        std::vector<std::string> words{"run", "scene.ini", "--out", result, "--quiet", "--set", "time.end=2"};
-        words.insert(words.end(), more.begin(), more.end());
-        succeeded(frana(words));
+        succeeded(frana(with_more({"run", "scene.ini", "--out", result, "--quiet", "--set", "time.end=2"}, more)));
     };
     run_to("whole", {});
     run_to("part", {"--set", "terrain.bounds=527005 5094020 527200 5094135"});

@@ -16,18 +16,12 @@ class HostileNames : public TinyScene {
   protected:
     /// Points or lines by name, along the slope.
     void write_named(const std::string& file, const std::string& type, const std::vector<std::string>& names) const {
-        std::string json =
-            R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [)";
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            const auto at = [&](double x) {
-                return "[" + std::to_string(k_west + x) + "," + std::to_string(k_south + 75 + static_cast<double>(i)) +
-                       "]";
-            };
-            json += std::string(i ? "," : "") + R"({"type": "Feature", "properties": {"name": ")" + names[i] +
-                    R"("}, "geometry": {"type": ")" + type + R"(", "coordinates": )" +
-                    (type == "Point" ? at(80) : "[" + at(30) + "," + at(150) + "]") + "}}";
+        std::vector<TestFeature> features;
+        for (const std::string& name : names) {
+            const double y = 75 + static_cast<double>(features.size());
+            features.push_back({type, type == "Point" ? Places{{80, y}} : Places{{30, y}, {150, y}}, named(name)});
         }
-        write(file, json + "]}");
+        write_features(file, features);
     }
     [[nodiscard]] Outcome run(const std::string& scene = "scene.ini", const std::string& out = "result") const {
         return frana({"run", scene, "--out", out, "--quiet"});
@@ -36,9 +30,8 @@ class HostileNames : public TinyScene {
 
 TEST_F(HostileNames, ChartsOfAllProfilesAndNoFormulaInATable) {
     const std::string longest(240, 'n');
-    write_named("profiles.geojson", "LineString",
-                {"a b", "a_b", "a/b", "=HYPERLINK(1)", longest, "<script>alert(1)</script>"});
-    write_named("gauges.geojson", "Point", {"@SUM(1)", "-2+3", "plain"});
+    write_named("profiles", "LineString", {"a b", "a_b", "a/b", "=HYPERLINK(1)", longest, "<script>alert(1)</script>"});
+    write_named("gauges", "Point", {"@SUM(1)", "-2+3", "plain"});
     write_scene(
         "[output]\nmaps = max_depth\nmap-size = 640x480\nanimation = off\nframes = off\nprofiles = profiles.geojson\n"
         "gauges = gauges.geojson\n");
@@ -96,9 +89,9 @@ TEST_F(HostileNames, BytesThatAreNotUtf8) {
 }
 
 TEST_F(HostileNames, ControlCharactersAndMarksOfDirectionInNoPictureOrPage) {
-    write_named("profiles.geojson", "LineString", {R"(a\u0001b\u202ec)"});
-    write_named("gauges.geojson", "Point", {R"(g\u001b[2Jh\u200fi)"});
-    write_named("sections.geojson", "LineString", {R"(s\u0002t\u2067u)"});
+    write_named("profiles", "LineString", {R"(a\u0001b\u202ec)"});
+    write_named("gauges", "Point", {R"(g\u001b[2Jh\u200fi)"});
+    write_named("sections", "LineString", {R"(s\u0002t\u2067u)"});
     write_scene(
         "[output]\nmaps = max_depth\nmap-size = 640x480\nmap-formats = png, svg\nanimation = off\nframes = off\n"
         "profiles = profiles.geojson\ngauges = gauges.geojson\ncross-sections = sections.geojson\n"

@@ -11,13 +11,6 @@
 
 namespace frana::test {
 
-inline const std::string k_gauge =
-    R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [
-       {"type": "Feature", "properties": {"name": "top"}, "geometry": {"type": "Point", "coordinates": [527045, 5094075]}}]})";
-inline const std::string k_section =
-    R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [
-       {"type": "Feature", "properties": {"name": "bridge"}, "geometry": {"type": "LineString", "coordinates": [[527080, 5094000], [527080, 5094150]]}}]})";
-
 inline const std::string k_every_output =
     "[output]\nframes = on\nmap-size = 640x480\nmap-formats = png, pdf, svg\nmaps = max_depth, "
     "max_velocity_3d\n"
@@ -29,8 +22,8 @@ inline const std::string k_every_output =
 class ResultScenes : public TinyScene {
   protected:
     ResultScenes() {
-        write("gauge.geojson", k_gauge);
-        write("section.geojson", k_section);
+        write_features("gauge", {{"Point", {{45, 75}}, named("top")}});
+        write_features("section", {{"LineString", {{80, 0}, {80, 150}}, named("bridge")}});
         write_polygon("scar", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
     }
     /// Runs a scene's text on cells of 10 m into a folder.
@@ -39,15 +32,9 @@ class ResultScenes : public TinyScene {
               "[terrain]\ndtm = dtm.asc\ncell-size = 10\n[release]\nperimeter = perimeter.geojson\n"
               "thickness = 2\n[time]\nend = 2\nframe-interval = 0.5\nstop-when-still = off\n[output]\n" +
                   k_one_day + text);
-        std::vector<std::string> arguments{"run", "scene.ini", "--out", result, "--quiet"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        succeeded(frana(arguments));
+        succeeded(frana(with_more({"run", "scene.ini", "--out", result, "--quiet"}, more)));
     }
-    void render(const std::vector<std::string>& words) const {
-        std::vector<std::string> arguments{"render", "old"};
-        arguments.insert(arguments.end(), words.begin(), words.end());
-        succeeded(frana(arguments));
-    }
+    void render(const std::vector<std::string>& words) const { succeeded(frana(with_more({"render", "old"}, words))); }
     /// Everything that can be drawn later.
     void render_all() const {
         render({"--charts", "--size", "640x480"});

@@ -21,9 +21,7 @@ Resuming::Resuming() {
 }
 
 std::vector<std::string> Resuming::run(const std::string& result, const std::vector<std::string>& more) const {
-    std::vector<std::string> arguments{"run", "scene.ini", "--out", result, "--set", "output.checkpoint-interval=0.02"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
+    return with_more({"run", "scene.ini", "--out", result, "--set", "output.checkpoint-interval=0.02"}, more);
 }
 
 std::vector<std::string> Resuming::checkpoints(const std::string& result) const {

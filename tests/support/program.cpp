@@ -56,6 +56,23 @@ Outcome succeeded(const Outcome& outcome, const std::source_location& place) {
                              std::to_string(outcome.exit_code) + "\n" + outcome.out + outcome.err);
 }
 
+Outcome refusal_of(const Outcome& outcome, const std::vector<std::string>& words, const std::source_location& place) {
+    const ::testing::ScopedTrace trace(place.file_name(), static_cast<int>(place.line()), "refused");
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.out << outcome.err;
+    expect_words(outcome.err, words);
+    return outcome;
+}
+
+std::vector<std::string> with_more(std::vector<std::string> words, const std::vector<std::string>& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+std::vector<std::string> with_sets(std::vector<std::string> words, const std::vector<std::string>& sets) {
+    for (const std::string& one : sets) words.insert(words.end(), {"--set", one});
+    return words;
+}
+
 namespace {
 
 // Returns those nearest the root.

@@ -32,6 +32,15 @@ Outcome run_program(const std::string& folder, const std::vector<std::string>& a
 /// and ends the test. A refusal that is expected is compared by its exit code instead.
 Outcome succeeded(const Outcome& outcome, const std::source_location& place = std::source_location::current());
 
+/// Expects that a call was refused with exit code 2 and a message with these words; returns its outcome.
+Outcome refusal_of(const Outcome& outcome, const std::vector<std::string>& words = {},
+                   const std::source_location& place = std::source_location::current());
+
+/// Words of a call with more after them.
+std::vector<std::string> with_more(std::vector<std::string> words, const std::vector<std::string>& more);
+/// The same with `--set` before each of these.
+std::vector<std::string> with_sets(std::vector<std::string> words, const std::vector<std::string>& sets);
+
 std::string read_text(const std::string& path);
 
 /// Fails unless a text has all these words; the other: if it has one of them.

@@ -15,11 +15,7 @@ class Release : public TinyScene {
         return gis::read_polygons(path(name), "", "layer");
     }
     void expect_refused(const std::vector<std::string>& more, const std::string& words) const {
-        std::vector<std::string> arguments{"release", "dtm.asc"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        const Outcome outcome = frana(arguments);
-        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-        EXPECT_NE(outcome.err.find(words), std::string::npos) << words << outcome.err;
+        refusal_of(frana(with_more({"release", "dtm.asc"}, more)), {words});
         EXPECT_FALSE(std::filesystem::exists(path("release.gpkg"))) << words;
     }
 };
@@ -117,9 +113,7 @@ TEST_F(Release, PlausibleMistakesAreRefusedWithTheUnit) {
     write_dtm([](int, int) { return 50; }, true, "wet.asc");
     expect_refused(with("--saturation", "raster:wet.asc"), "has a value that is not plausible (value 50");
     expect_refused(with("--saturation", "raster:missing.asc"), "missing.asc");
-    EXPECT_EQ(frana({"release", "nowhere.tif", "--thickness", "1", "--least-slope", "25", "--greatest-slope", "55"})
-                  .exit_code,
-              2);
+    refusal_of(frana({"release", "nowhere.tif", "--thickness", "1", "--least-slope", "25", "--greatest-slope", "55"}));
 }
 
 TEST_F(Release, ReplacesNothingUnasked) {

@@ -46,7 +46,7 @@ TEST_F(Compare, ARunWhoseOutlineReachesBeyondItsGroundIsFinished) {
     write_scene(
         "[terrain]\nbounds = 527000 5094000 527150 5094150\n[output]\nanimation = off\nframes = off\n"
         "[observed]\nperimeter = scar.geojson\n");
-    succeeded(frana({"run", "scene.ini", "--out", "result", "--quiet"}));
+    ran();
     EXPECT_TRUE(json_lists(read_text(path("result/summary.json")), "warnings", "beyond the rasters"));
     for (const char* file : {"result/comparison.png", "result/report.html"})
         EXPECT_TRUE(std::filesystem::exists(path(file))) << file;
@@ -56,7 +56,7 @@ TEST_F(Compare, ARunWhoseOutlineReachesBeyondItsGroundIsFinished) {
 
 TEST_F(Compare, AResultAgainstAnOutlineInAnotherCrs) {
     write_scene(k_numbers_only);
-    succeeded(frana({"run", "scene.ini", "--out", "result", "--quiet"}));
+    ran();
     // Around the release, in degrees: a few hundredths of a square kilometre, any overlap shows that the transformation
     // works.
     write("scar.geojson",
@@ -87,9 +87,7 @@ TEST_F(Compare, ClassesDifferInLightnessForPrintsWithoutColours) {
 
 TEST_F(Compare, MissingScarFile) {
     write_dtm([](int, int) { return 1.0; }, true, "depth.asc");
-    const Outcome outcome = frana({"compare", "--json", "depth.asc", "--scar", "none.shp", "--out", "scores"});
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_NE(outcome.err.find("none.shp"), std::string::npos) << outcome.err;
+    refusal_of(frana({"compare", "--json", "depth.asc", "--scar", "none.shp", "--out", "scores"}), {"none.shp"});
     EXPECT_FALSE(std::filesystem::exists(path("scores")));
 }
 
@@ -101,20 +99,9 @@ class CompareSquare : public TinyScene {
             [](int row, int column) { return row >= 10 && row < 20 && column >= 4 && column < 14 ? 1.0 : -9999.0; },
             true, "depth.asc");
     }
-    void write_lines(const std::string& name, const std::string& type, const std::string& coordinates) const {
-        write(
-            name,
-            R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [{"type": "Feature", "properties": {"name": "f"}, "geometry": {"type": ")" +
-                type + R"(", "coordinates": )" + coordinates + "}}]}");
-    }
-    [[nodiscard]] static std::string place(double x, double y) {
-        return "[" + std::to_string(k_west + x) + "," + std::to_string(k_south + y) + "]";
-    }
     [[nodiscard]] Outcome compare(std::vector<std::string> more) const {
-        std::vector<std::string> arguments{"compare", "--json", "depth.asc", "--overwrite",
-                                           "--out",   "scores", "--size",    "640x480"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        return frana(arguments);
+        return frana(
+            with_more({"compare", "--json", "depth.asc", "--overwrite", "--out", "scores", "--size", "640x480"}, more));
     }
 };
 
@@ -138,20 +125,20 @@ TEST_F(CompareSquare, OutlineDistancesOfASquareShiftedByHalf) {
 
 TEST_F(CompareSquare, AFrontAndATip) {
     // A front 15 m beyond the eastern edge, and a point 10 m inside it.
-    write_lines("front.geojson", "LineString", "[" + place(85, 60) + "," + place(85, 90) + "]");
+    write_features("front", {{"LineString", {{85, 60}, {85, 90}}, named("f")}});
     const Outcome front = succeeded(compare({"--scar", "front.geojson"}));
     EXPECT_NEAR(json_number(front.out, "mean_signed_m"), -15, 1e-9);
     EXPECT_NEAR(json_number(front.out, "hausdorff_m"), 15, 1e-9);
     EXPECT_EQ(json_number(front.out, "reached_percent"), 0);
     EXPECT_TRUE(json_value(front.out, "jaccard").is_null());
     EXPECT_FALSE(std::filesystem::exists(path("scores/comparison.tif")));
-    write_lines("tip.geojson", "Point", place(60, 75));
+    write_features("tip", {{"Point", {{60, 75}}, named("f")}});
     const Outcome tip = succeeded(compare({"--scar", "tip.geojson"}));
     EXPECT_NEAR(json_number(tip.out, "distance_m"), 10, 1e-9);
 }
 
 TEST_F(CompareSquare, AnOpenLineThatCrossesTheEdgeIsHalfReached) {
-    write_lines("front.geojson", "LineString", "[" + place(50, 75) + "," + place(90, 75) + "]");
+    write_features("front", {{"LineString", {{50, 75}, {90, 75}}, named("f")}});
     const Outcome outcome = succeeded(compare({"--scar", "front.geojson"}));
     EXPECT_NEAR(json_number(outcome.out, "reached_percent"), 50, 1e-9);
     EXPECT_NEAR(json_number(outcome.out, "mean_signed_m"), 0, 1e-9);
@@ -162,11 +149,7 @@ TEST_F(CompareSquare, AnOpenLineThatCrossesTheEdgeIsHalfReached) {
 TEST_F(CompareSquare, OneResultIsComparedWithOneSurvey) {
     for (const std::vector<std::string>& more : {std::vector<std::string>{"depth.asc", "--scar", "scar.geojson"},
                                                  {"--scar", "scar.geojson", "--observed", "other.geojson"}}) {
-        std::vector<std::string> words{"compare", "depth.asc"};
-        words.insert(words.end(), more.begin(), more.end());
-        const Outcome outcome = frana(words);
-        EXPECT_EQ(outcome.exit_code, 2);
-        EXPECT_NE(outcome.err.find("`frana calibrate` finds"), std::string::npos) << outcome.err;
+        refusal_of(frana(with_more({"compare", "depth.asc"}, more)), {"`frana calibrate` finds"});
     }
 }
 
@@ -174,12 +157,10 @@ TEST_F(Compare, AnotherSurveyReplacesNoComparisonUnasked) {
     write_polygon("first", {{20, 40}, {90, 40}, {90, 110}, {20, 110}});
     write_polygon("second", {{20, 40}, {60, 40}, {60, 110}, {20, 110}});
     write_scene(k_numbers_only + "[observed]\nperimeter = first.geojson\n");
-    succeeded(frana({"run", "scene.ini", "--out", "a", "--quiet"}));
+    ran("a");
     const std::string before = read_text(path("a/comparison.json"));
     std::vector<std::string> words{"compare", "a", "--observed", "second.geojson", "--size", "640x480"};
-    const Outcome refused = frana(words);
-    EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_NE(refused.err.find("contains the comparison with another survey"), std::string::npos) << refused.err;
+    refusal_of(frana(words), {"contains the comparison with another survey"});
     EXPECT_EQ(read_text(path("a/comparison.json")), before);
     succeeded(frana({"compare", "a", "--observed", "first.geojson", "--size", "640x480"}));
     words.insert(words.end(), {"--out", "b"});
@@ -200,7 +181,7 @@ TEST_F(Compare, AnotherSurveyReplacesNoComparisonUnasked) {
 
 TEST_F(Compare, ADepositAgainstAnElevationDifference) {
     write_scene(k_numbers_only);
-    succeeded(frana({"run", "scene.ini", "--out", "result", "--quiet"}));
+    ran();
     // The survey is half of the result's own change: at this low threshold both rise on the same cells.
     const Raster left = gis::read_result_raster(path("result/final_depth.tif")),
                  gone = gis::read_result_raster(path("result/release.tif"));
@@ -224,7 +205,7 @@ TEST_F(Compare, ADepositAgainstAnElevationDifference) {
 
 TEST_F(Compare, AResultAgainstItsOwnTraceIsPerfectAlongThePathToo) {
     write_scene(k_numbers_only);
-    succeeded(frana({"run", "scene.ini", "--out", "result", "--quiet"}));
+    ran();
     const Outcome outcome = succeeded(
         frana({"compare", "--json", "result", "--scar", "result/extent.gpkg|layer=trace", "--size", "640x480"}));
     EXPECT_EQ(json_number(outcome.out, "jaccard"), 1);

@@ -96,9 +96,7 @@ TEST_F(GroundDoubts, CopiedCellsAreToldWithTheirFactorAndFranasOwnResamplingIsRi
     EXPECT_EQ(doubts(), "");
     write_grid("coarse", 30, bed);
     const auto run = [&](const std::string& name, const std::vector<std::string>& more) {
-        std::vector<std::string> arguments{"run", "bed.ini", "--out", name, "--quiet"};
-        for (const std::string& one : more) arguments.insert(arguments.end(), {"--set", one});
-        succeeded(frana(arguments));
+        succeeded(frana(with_sets({"run", "bed.ini", "--out", name, "--quiet"}, more)));
     };
     run("right", {});
     const std::vector<std::string> finer{"terrain.dtm=coarse.asc", "terrain.cell-size=10"};

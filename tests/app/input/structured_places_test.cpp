@@ -14,7 +14,8 @@ class StructuredPlaces : public CheckedScene {
   protected:
     StructuredPlaces() {
         // Two halves of the release, 2000 m3 each, and ground around the western one.
-        write_zones("zones.geojson", {{0, 45, R"("c": 0, "alpha": 0.4)"}, {45, 90, R"("c": 1e6, "alpha": 0.6)"}});
+        write_features("zones", {{"Polygon", box(0, 5, 45, 145), R"("c": 0, "alpha": 0.4)"},
+                                 {"Polygon", box(45, 5, 90, 145), R"("c": 1e6, "alpha": 0.6)"}});
         write("scene.ini",
               "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
               "model = structured\n[structured]\nphases = solids-and-fluid\ncohesion = 1e6\n"
@@ -22,41 +23,8 @@ class StructuredPlaces : public CheckedScene {
               "[numerics]\nparticles-per-cell = 9\n[time]\nend = 0.2\nframe-interval = 0.2\n"
               "[output]\nmaps = off\nanimation = off\nreport = off\nformats = geotiff, particles-gpkg\n");
     }
-    struct Strip {
-        double west, east;  // offsets [m]
-        std::string properties;
-    };
-    void write_zones(const std::string& name, const std::vector<Strip>& strips) const {
-        std::ostringstream text;
-        text.precision(12);
-        text
-            << R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}},)"
-            << R"( "features": [)";
-        for (std::size_t i = 0; i < strips.size(); ++i) {
-            const auto corner = [&](double x, double y) { text << '[' << k_west + x << ',' << k_south + y << ']'; };
-            text << (i > 0 ? "," : "") << R"({"type": "Feature", "properties": {)" << strips[i].properties
-                 << R"(}, "geometry": {"type": "Polygon", "coordinates": [[)";
-            corner(strips[i].west, 5);
-            text << ',';
-            corner(strips[i].east, 5);
-            text << ',';
-            corner(strips[i].east, 145);
-            text << ',';
-            corner(strips[i].west, 145);
-            text << ',';
-            corner(strips[i].west, 5);
-            text << "]]}}";
-        }
-        text << "]}\n";
-        write(name, text.str());
-    }
     [[nodiscard]] Outcome run(const std::vector<std::string>& set) const {
-        std::vector<std::string> arguments{"run", "scene.ini", "--out", "result", "--quiet"};
-        for (const std::string& one : set) {
-            arguments.emplace_back("--set");
-            arguments.push_back(one);
-        }
-        return frana(arguments);
+        return frana(with_sets({"run", "scene.ini", "--out", "result", "--quiet"}, set));
     }
     [[nodiscard]] double number(const std::string& key) const {
         return json_number(read_text(path("result/summary.json")), key);
@@ -119,10 +87,7 @@ TEST_F(StructuredPlaces, FluidIsOnTheGroundAtTheStart) {
 // Solids that fail later, and a flood through a line: nothing is lost, and the flood has no particles.
 TEST_F(StructuredPlaces, SolidsFailLaterAndFluidFlowsIn) {
     write("hydrograph.csv", "time,discharge,velocity\n0,0,2\n0.5,40,2\n1,40,2\n1.5,0,2\n");
-    write("line.geojson",
-          R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
-          R"("features":[{"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":)"
-          R"([[527100,5094060],[527100,5094090]]}}]})");
+    write_features("line", {{"LineString", {{100, 60}, {100, 90}}}});
     succeeded(run({"inflow.line=line.geojson", "inflow.hydrograph=hydrograph.csv", "release.start=1", "time.end=2",
                    "structured.solid-fraction=1"}));
     EXPECT_EQ(start().size(), 0U);

@@ -23,7 +23,7 @@ TEST_F(SuspiciousInput, CheckAndResultTellElevationsAndSlopes) {
     write_scene(k_numbers_only);
     const Outcome check = succeeded(frana({"check", "scene.ini"}));
     expect_words(check.out, {"release          ", " m, slope 27 degrees on average, 27 at most", "path             "});
-    succeeded(frana({"run", "scene.ini", "--out", "result", "--quiet"}));
+    ran();
     const std::string summary = read_text(path("result/summary.json"));
     EXPECT_NEAR(json_number(summary, "ground.release.mean_slope_deg"), 26.565, 1e-3);
     EXPECT_NEAR(json_number(summary, "ground.release.steepest_slope_deg"), 26.565, 1e-3);
@@ -63,7 +63,7 @@ TEST_F(SuspiciousInput, AReleaseThatItsFrictionHoldsIsReported) {
     // Nothing can be known of a mass whose friction is less, or that is thrown.
     EXPECT_EQ(with("material.friction-angle=5").find("under its friction"), std::string::npos);
     EXPECT_EQ(with("release.velocity=10").find("under its friction"), std::string::npos);
-    succeeded(frana({"run", "scene.ini", "--out", "low", "--quiet"}));
+    ran("low");
     expect_words(read_text(path("low/report.html")), {"° under its friction "});
 }
 
@@ -98,7 +98,7 @@ TEST_F(SuspiciousInput, AnOutlineThatIsTheReleaseIsQuestioned) {
     EXPECT_EQ(told.find("matches the release"), std::string::npos) << told;
     // compare asks the same of its own outline.
     write_scene(k_numbers_only);
-    succeeded(frana({"run", "scene.ini", "--out", "result", "--quiet"}));
+    ran();
     const auto compare = [&](const std::string& outline) {
         return frana({"compare", "result", "--observed", outline, "--out", "compared", "--overwrite", "--json",
                       "--size", "640x480"});
@@ -114,7 +114,7 @@ TEST_F(SuspiciousInput, AnOutlineThatIsTheReleaseIsQuestioned) {
 TEST_F(SuspiciousInput, ScarIsTheSameSectionAsObserved) {
     write_polygon("covered", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
     write_scene(k_numbers_only + "[scar]\nperimeter = covered.geojson\nthreshold = 0.2\n");
-    const Outcome run = succeeded(frana({"run", "scene.ini", "--out", "result", "--quiet"}));
+    const Outcome run = ran();
     EXPECT_EQ(run.err, "");
     const std::string echoed = read_text(path("result/scene.ini"));
     expect_words(echoed, {"[observed]\n", "covered.geojson\n", "threshold = 0.2\n"});
@@ -207,7 +207,7 @@ TEST_F(SuspiciousInput, ANumberSignInAFolderIsNoComment) {
     EXPECT_EQ(depths("again"), depths("out#1/result"));
     succeeded(frana({"render", "out#1/result", "--map", "max_depth", "--size", "640x480"}));
     write_scene("#[time]\n[output]\ntitle = Slope#2 # and more\nmaps = off\nanimation = off\n");
-    succeeded(frana({"run", "scene.ini", "--out", "titled", "--quiet"}));
+    ran("titled");
     EXPECT_NE(read_text(path("titled/scene.ini")).find("\ntitle = Slope#2\n"), std::string::npos);
 }
 

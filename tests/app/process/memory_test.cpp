@@ -119,9 +119,7 @@ TEST_F(MemoryOfMachine, RefusesTooLargeRunsBeforeAnythingIsComputed) {
     succeeded(frana({"run", "scene.ini", "--out", "result", "--set", "time.end=1"}));
     const auto before = files();
     const auto refused = [&](const std::vector<std::string>& words, const std::string& key) {
-        const Outcome outcome = frana(words);
-        EXPECT_EQ(outcome.exit_code, 2) << words.front();
-        expect_words(outcome.err, {std::string("of memory"), std::string("ulimit -v"), key});
+        refusal_of(frana(words), {std::string("of memory"), std::string("ulimit -v"), key});
     };
     for (const char* command : {"check", "run"}) {
         refused({command, "scene.ini", "--set", "output.maps=on", "--set", "output.map-size=8000x8000"},

@@ -51,15 +51,7 @@ class Exposure : public Ensemble {
                   feature("elsewhere", "2", shape("Point", place(5000, 73))) + "," +
                   feature("drawn nowhere", "null", "null") + "]}");
     }
-    [[nodiscard]] Rows rows(const std::string& result) const {
-        const gis::Table table = gis::read_table(path(result + "/exposure.csv"), "exposure");
-        Rows all;
-        for (const auto& cells : table.rows) {
-            auto& row = all.emplace_back();
-            for (std::size_t i = 0; i < cells.size(); ++i) row[table.columns[i]] = cells[i];
-        }
-        return all;
-    }
+    [[nodiscard]] Rows rows(const std::string& result) const { return rows_of(path(result + "/exposure.csv")); }
     /// The greatest value of a raster in a rectangle, by offsets from the DTM's corner: of the cells that it overlaps.
     static double greatest(const Raster& raster, double west, double south, double east, double north) {
         double most = 0;
@@ -77,7 +69,7 @@ class Exposure : public Ensemble {
 
 TEST_F(Exposure, OfARunIsThatOfTheCellsTouched) {
     write_exposed();
-    succeeded(frana({"run", "scene.ini", "--out", "out", "--quiet"}));
+    ran("out");
     const Rows all = rows("out");
     ASSERT_EQ(all.size(), 7U) << "a feature is lost";
     const Raster depth = gis::read_result_raster(path("out/max_depth.tif")),
@@ -189,9 +181,7 @@ TEST_F(Exposure, FarFeaturesDoNotSetTheMapsScale) {
 TEST_F(Exposure, IsAnsweredInTheLanguageOfTheScene) {
     write_exposed();
     const std::vector<std::string> report{"--quiet", "--set", "output.maps=max_depth", "--set", "output.language=de"};
-    std::vector<std::string> arguments{"run", "scene.ini", "--out", "out"};
-    arguments.insert(arguments.end(), report.begin(), report.end());
-    succeeded(frana(arguments));
+    succeeded(frana(with_more({"run", "scene.ini", "--out", "out"}, report)));
     EXPECT_NE(read_text(path("out/log.txt")).find("Exposed features reached: ≥ 3 of 7; Count: ≥ 21 of 25"),
               std::string::npos);
     const std::string page = read_text(path("out/report.html"));
@@ -229,8 +219,7 @@ TEST_F(Exposure, CheckCountsFeaturesAndWarnsOfThoseOffTheMap) {
 TEST_F(Exposure, MistakesAreRefused) {
     write_exposed();
     const auto refused = [&](const std::string& set) {
-        const Outcome outcome = frana({"run", "scene.ini", "--out", "out", "--quiet", "--set", set});
-        EXPECT_EQ(outcome.exit_code, 2) << set;
+        const Outcome outcome = refusal_of(frana({"run", "scene.ini", "--out", "out", "--quiet", "--set", set}));
         return outcome.err;
     };
     EXPECT_NE(refused("output.exposure-name=names").find("Its columns are what, people"), std::string::npos);

@@ -19,29 +19,28 @@ class FlightFiles : public TinyScene {
         write_scene("[numerics]\ncurvature = on\n" + k_numbers_only);
     }
     [[nodiscard]] Outcome run(const std::string& flight, const std::vector<std::string>& more = {}) const {
-        std::vector<std::string> arguments{"run",
-                                           "scene.ini",
-                                           "--out",
-                                           "result",
-                                           "--overwrite",
-                                           "--set",
-                                           "numerics.flight=" + flight,
-                                           "--set",
-                                           "release.perimeter=near.geojson",
-                                           "--set",
-                                           "release.velocity=10",
-                                           "--set",
-                                           "release.direction=90",
-                                           "--set",
-                                           "material.friction-angle=0",
-                                           "--set",
-                                           "material.turbulence=1e9",
-                                           "--set",
-                                           "release.thickness=0.2",
-                                           "--set",
-                                           "time.end=8"};
-        for (const std::string& one : more) arguments.insert(arguments.end(), {"--set", one});
-        return frana(arguments);
+        return frana(with_sets({"run",
+                                "scene.ini",
+                                "--out",
+                                "result",
+                                "--overwrite",
+                                "--set",
+                                "numerics.flight=" + flight,
+                                "--set",
+                                "release.perimeter=near.geojson",
+                                "--set",
+                                "release.velocity=10",
+                                "--set",
+                                "release.direction=90",
+                                "--set",
+                                "material.friction-angle=0",
+                                "--set",
+                                "material.turbulence=1e9",
+                                "--set",
+                                "release.thickness=0.2",
+                                "--set",
+                                "time.end=8"},
+                               more));
     }
 };
 

@@ -31,31 +31,15 @@ class Output : public TinyScene {
     /// Runs the scene with these lines appended and these keys set, into result/.
     void run(const std::string& more, const std::vector<std::string>& keys = {}) {
         write_scene(more);
-        std::vector<std::string> words{"run", "scene.ini", "--out", "result", "--overwrite", "--quiet"};
-        for (const std::string& key : keys) words.insert(words.end(), {"--set", key});
-        const Outcome outcome = frana(words);
+        const Outcome outcome =
+            frana(with_sets({"run", "scene.ini", "--out", "result", "--overwrite", "--quiet"}, keys));
         if (outcome.exit_code != 0) throw std::runtime_error(outcome.err);
     }
     [[nodiscard]] Raster raster(const std::string& name) const {
         return gis::read_result_raster(path("result/" + name));
     }
     [[nodiscard]] std::string text(const std::string& name) const { return read_text(path("result/" + name)); }
-    /// Points or lines in the DTM's CRS, offsets from its south-western corner.
-    void write_marks(const std::string& name, const std::string& type,
-                     const std::vector<std::pair<std::string, std::string>>& features) const {
-        std::string json =
-            R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [)";
-        for (std::size_t i = 0; i < features.size(); ++i) {
-            json += std::string(i ? "," : "") + R"({"type": "Feature", "properties": {"name": ")" + features[i].first +
-                    R"("}, "geometry": {"type": ")" + type + R"(", "coordinates": )" + features[i].second + "}}";
-        }
-        write(name, json + "]}");
-    }
 };
-
-std::string at(double x, double y) {
-    return "[" + std::to_string(k_west + x) + "," + std::to_string(k_south + y) + "]";
-}
 
 std::vector<std::string> rows_of(const std::string& csv) {
     std::vector<std::string> rows;
@@ -209,7 +193,7 @@ TEST_F(Output, HighValuesOfNoAreaAreNone) {
 }
 
 TEST_F(Output, ProfilesAlongTheFlowPathAndTheUsersLine) {
-    write_marks("axis.geojson", "LineString", {{"axis", "[" + at(10, 75) + "," + at(210, 75) + "]"}});
+    write_features("axis", {{"LineString", {{10, 75}, {210, 75}}, named("axis")}});
     run(k_quiet + "profiles = axis.geojson\n");
     const std::vector<std::string> rows = rows_of(text("profiles.csv"));
     ASSERT_GT(rows.size(), 42U);
@@ -253,9 +237,9 @@ TEST_F(Output, ProfilesAlongTheFlowPathAndTheUsersLine) {
 }
 
 TEST_F(Output, GaugesAndCrossSectionsRecordTheFlow) {
-    write_marks("gauges.geojson", "Point", {{"top", at(45, 75)}, {"never", at(290, 5)}});
+    write_features("gauges", {{"Point", {{45, 75}}, named("top")}, {"Point", {{290, 5}}, named("never")}});
     // Across the slope 10 m below the release, drawn from the south to the north: downhill is to the right.
-    write_marks("sections.geojson", "LineString", {{"bridge", "[" + at(80, 0) + "," + at(80, 150) + "]"}});
+    write_features("sections", {{"LineString", {{80, 0}, {80, 150}}, named("bridge")}});
     run(k_quiet + "gauges = gauges.geojson\ncross-sections = sections.geojson\nsample-interval = 0.5\n");
     const std::vector<std::string> gauges = rows_of(text("gauges.csv")), sections = rows_of(text("sections.csv"));
     EXPECT_EQ(gauges[0], "time_s,gauge,depth_m,speed_ms");
@@ -277,16 +261,14 @@ TEST_F(Output, GaugesAndCrossSectionsRecordTheFlow) {
 }
 
 TEST_F(Output, PlacesOutsideTheGridAndLayersOfTheWrongKindAreRefusedTogether) {
-    write_marks("gauges.geojson", "Point", {{"far", at(1000, 75)}});
-    write_marks("points.geojson", "Point", {{"p", at(10, 75)}});
-    write_marks("twice.geojson", "LineString",
-                {{"a", "[" + at(10, 5) + "," + at(20, 5) + "]"}, {"a", "[" + at(10, 9) + "," + at(20, 9) + "]"}});
+    write_features("gauges", {{"Point", {{1000, 75}}, named("far")}});
+    write_features("points", {{"Point", {{10, 75}}, named("p")}});
+    write_features("twice",
+                   {{"LineString", {{10, 5}, {20, 5}}, named("a")}, {"LineString", {{10, 9}, {20, 9}}, named("a")}});
     write_scene("[output]\ngauges = gauges.geojson\ncross-sections = points.geojson\nprofiles = twice.geojson\n");
-    const Outcome outcome = frana({"run", "scene.ini", "--out", "result"});
-    EXPECT_EQ(outcome.exit_code, 2);
-    expect_words(outcome.err, {"output.gauges: lies outside the working grid (value gauge far at 528000",
-                               "output.cross-sections: is not a layer of lines",
-                               "output.profiles: two have the same name (value a"});
+    refusal_of(frana({"run", "scene.ini", "--out", "result"}),
+               {"output.gauges: lies outside the working grid (value gauge far at 528000",
+                "output.cross-sections: is not a layer of lines", "output.profiles: two have the same name (value a"});
     EXPECT_FALSE(fs::exists(path("result")));
 }
 
@@ -451,9 +433,7 @@ TEST_F(Output, AnOwnSchemeIsAFile) {
     succeeded(frana({"schemes", "own.ini"}));
     // What is wrong with it is told before anything is computed.
     std::ofstream(path("own.ini")) << own << "colour = red\n[class-4]\n";
-    const Outcome refusal = frana({"schemes", "own.ini"});
-    EXPECT_EQ(refusal.exit_code, 2);
-    expect_words(refusal.err, {"own.ini: class-2.colour", "is given more than once"});
+    refusal_of(frana({"schemes", "own.ini"}), {"own.ini: class-2.colour", "is given more than once"});
 }
 
 // The slope falls 1 in 2 as far as column 39 (cosine 1 / sqrt(1.25)), is level from column 41 on.

@@ -84,15 +84,10 @@ TEST_F(PictureFaults, LeaveTheTablesOfAConvergenceStudy) {
 }
 
 TEST_F(PictureFaults, LongNamesOfManyGaugesAreShortened) {
-    std::string features;
+    std::vector<TestFeature> gauges;
     for (int i = 0; i < 8; ++i)
-        features += std::string(i > 0 ? "," : "") +
-                    R"({"type": "Feature", "properties": {"name": "gauge_of_twenty_chars)" + std::to_string(i) +
-                    R"("}, "geometry": {"type": "Point", "coordinates": [)" + std::to_string(527045 + i) +
-                    ", 5094075]}}";
-    write("gauge.geojson", R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": )"
-                           R"("urn:ogc:def:crs:EPSG::32632"}}, "features": [)" +
-                               features + "]}");
+        gauges.push_back({"Point", {{45 + i, 75}}, named("gauge_of_twenty_chars" + std::to_string(i))});
+    write_features("gauge", gauges);
     run(k_voellmy + "[output]\nanimation = off\nmap-size = 640x480\ngauges = gauge.geojson\n", "out");
     EXPECT_TRUE(fs::exists(path("out/charts/gauges.png")));
     EXPECT_EQ(read_text(path("out/report.html")).find("could not be drawn"), std::string::npos);

@@ -133,7 +133,7 @@ TEST_F(PrintedReport, OfALongAnswerStaysReadable) {
     write_polygon("scar", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
     write_scene("[output]\nanimation = off\nmaps = max_depth\ncharts = off\ntitle = " + std::string(150, 'W') +
                 "\n[scar]\nperimeter = scar.geojson\n");
-    succeeded(frana({"run", "scene.ini", "--out", "result", "--quiet"}));
+    ran();
     expect_good_pages("result/report.html", 8);
 }
 

@@ -35,7 +35,7 @@ TEST_F(Report, ContainsEverythingInOneFile) {
     write_scene(
         "frame-interval = 1\n[output]\nanimation = off\nmap-size = 640x480\nmaps = max_depth, max_velocity\n"
         "title = Slope <5> & \"more\"\n[hazard]\nscheme = swiss-flood\n[scar]\nperimeter = scar.geojson\n");
-    succeeded(frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "numerics.cfl=0.4"}));
+    ran("result", {"numerics.cfl=0.4"});
     const std::string page = page_of();
     expect_well_formed(page);
     EXPECT_NE(page.find("<h1>Slope &lt;5&gt; &amp; &quot;more&quot;</h1>"), std::string::npos);
@@ -51,7 +51,7 @@ TEST_F(Report, ContainsEverythingInOneFile) {
 // The answer comes first, then maps, then inputs, then the keys that were used; all keys are folded.
 TEST_F(Report, HasTheAnswerFirstAndOnlyTheKeysUsed) {
     write_scene("[output]\nanimation = off\ncharts = off\nmap-size = 640x480\nmaps = max_depth, max_velocity\n");
-    succeeded(frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "numerics.cfl=0.4"}));
+    ran("result", {"numerics.cfl=0.4"});
     const std::string page = page_of();
     std::size_t before = 0;
     for (const std::string id : {"answer", "maps", "series", "values", "inputs", "parameters"}) {
@@ -91,7 +91,7 @@ TEST_F(Report, HasTheAnswerFirstAndOnlyTheKeysUsed) {
 // A value has the estimate that there is, and says so where there is none.
 TEST_F(Report, HasTheEstimateOfTheError) {
     write_scene(k_numbers_only);
-    succeeded(frana({"run", "scene.ini", "--out", "plain", "--quiet"}));
+    ran("plain");
     EXPECT_NE(page_of("plain").find("<td class=\"soft\">no estimate</td>"), std::string::npos);
     EXPECT_EQ(page_of("plain").find("<td class=\"soft\">± "), std::string::npos);
     succeeded(frana({"converge", "scene.ini", "--out", "result-convergence", "--quiet"}));
@@ -125,7 +125,7 @@ TEST_F(Report, HasItsWarningsInItsLanguage) {
         return text.replace(at, text.find_first_of(" \n", at + 1) - at, " 9500");
     }());
     write_scene("[output]\nlanguage = it\nmaps = off\nanimation = off\ncharts = off\n");
-    succeeded(frana({"run", "scene.ini", "--out", "result", "--quiet"}));
+    ran();
     const std::string page = page_of();
     const Json summary = parse_json(read_text(path("result/summary.json")));
     ASSERT_GE(summary.at("warnings").size(), 3U) << "the lists below are of several";
@@ -139,15 +139,11 @@ TEST_F(Report, HasItsWarningsInItsLanguage) {
 
 // Gauges side by side are told apart without colours: no two curves of a chart have the same stroke and marker.
 TEST_F(Report, DrawsCurvesThatDifferWithoutColour) {
-    std::string points;
-    for (int i = 0; i < 10; ++i)
-        points += std::string(i == 0 ? "" : ",") + R"({"type":"Feature","properties":{"name":"g)" + std::to_string(i) +
-                  R"("},"geometry":{"type":"Point","coordinates":[)" + std::to_string(527060 + 8 * i) + ",5094075]}}";
-    write("gauges.geojson",
-          R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"EPSG:32632"}},"features":[)" +
-              points + "]}");
+    std::vector<TestFeature> gauges;
+    for (int i = 0; i < 10; ++i) gauges.push_back({"Point", {{60 + 8 * i, 75}}, named("g" + std::to_string(i))});
+    write_features("gauges", gauges);
     write_scene("[output]\nanimation = off\ncharts = off\nmaps = off\nframes = off\ngauges = gauges.geojson\n");
-    succeeded(frana({"run", "scene.ini", "--out", "result", "--quiet"}));
+    ran();
     const std::string page = page_of();
     expect_well_formed(page);
     const std::size_t at = page.find("aria-label=\"Gauges; ");
@@ -169,7 +165,7 @@ TEST_F(Report, ShowsPicturesRequestedInOtherFormats) {
         "[output]\nanimation = off\ncharts = off\nmap-size = 640x480\nmaps = max_depth, "
         "max_depth_3d\nmap-formats = pdf\n"
         "[scar]\nperimeter = scar.geojson\n");
-    succeeded(frana({"run", "scene.ini", "--out", "result", "--quiet"}));
+    ran();
     EXPECT_EQ(count_of(page_of(), "src=\"data:image/"), 3U);
     for (const std::string& name : files()) {
         EXPECT_FALSE(name.ends_with(".png")) << name;
@@ -179,10 +175,10 @@ TEST_F(Report, ShowsPicturesRequestedInOtherFormats) {
 
 TEST_F(Report, IsWrittenOnlyOnRequest) {
     write_scene(k_numbers_only + "report = off\n");
-    succeeded(frana({"run", "scene.ini", "--out", "result", "--quiet"}));
+    ran();
     EXPECT_FALSE(fs::exists(path("result/report.html")));
     write_scene(k_numbers_only);
-    succeeded(frana({"run", "scene.ini", "--out", "other", "--quiet"}));
+    ran("other");
     EXPECT_EQ(page_of("other").find("<h2 id=\"maps\""), std::string::npos) << "the scene asks for none";
 }
 
@@ -191,7 +187,7 @@ TEST_F(Report, StaysSmallWithLargeMaps) {
     write_scene(
         "[output]\nanimation = off\ncharts = off\nframes = off\nmap-size = 3600x2700\n"
         "maps = max_depth, max_depth_3d\n");
-    succeeded(frana({"run", "scene.ini", "--out", "result", "--quiet"}));
+    ran();
     EXPECT_LT(fs::file_size(path("result/report.html")), 2'600'000U);  // 4 MB with three maps
     EXPECT_EQ(count_of(page_of(), "src=\"data:image/"), 2U);
 }
@@ -200,7 +196,7 @@ TEST_F(Report, StaysSmallWithLargeMaps) {
 TEST_F(Report, PicturesHaveTheirScaleAndLegibleLettersOnPaper) {
     constexpr double k_point = 25.4 / 72, k_least_points = 6;  // mm
     write_scene("[output]\nanimation = off\ncharts = off\nmap-size = 640x480\nmaps = max_depth, max_depth_3d\n");
-    succeeded(frana({"run", "scene.ini", "--out", "result", "--quiet"}));
+    ran();
     const std::string page = page_of();
     std::smatch found;
     ASSERT_TRUE(std::regex_search(page, found, std::regex("img\\.page \\{[^}]*[ ;]width: ([0-9.]+)mm;")));
@@ -244,7 +240,7 @@ TEST_F(Report, SpeaksTheLanguageOfTheScene) {
              {"fr", {"Réponse", "<td>angle de frottement</td><td>15°", "Comparaison avec le levé"}},
              {"es", {"Respuesta", "<td>ángulo de fricción</td><td>15°", "Comparación con el levantamiento"}}}) {
         write_scene(k_numbers_only + "language = " + language + "\n[observed]\nperimeter = scar.geojson\n");
-        succeeded(frana({"run", "scene.ini", "--out", language, "--quiet"}));
+        ran(language);
         const std::string page = page_of(language);
         expect_well_formed(page);
         EXPECT_NE(page.find("<html lang=\"" + language + "\">"), std::string::npos);

@@ -28,21 +28,9 @@ class ResultExtent : public TinyScene {
     }
     [[nodiscard]] static std::vector<std::string> command(const std::string& extent, const std::string& result,
                                                           const std::vector<std::string>& more = {}) {
-        std::vector<std::string> words{"run",
-                                       "scene.ini",
-                                       "--out",
-                                       result,
-                                       "--quiet",
-                                       "--set",
-                                       "output.extent=" + extent,
-                                       "--set",
-                                       "terrain.cell-size=2.5",
-                                       "--set",
-                                       "time.end=1.5",
-                                       "--set",
-                                       "time.frame-interval=0.5"};
-        words.insert(words.end(), more.begin(), more.end());
-        return words;
+        return with_more({"run", "scene.ini", "--out", result, "--quiet", "--set", "output.extent=" + extent, "--set",
+                          "terrain.cell-size=2.5", "--set", "time.end=1.5", "--set", "time.frame-interval=0.5"},
+                         more);
     }
     [[nodiscard]] Outcome run(const std::string& extent, const std::string& result,
                               const std::vector<std::string>& more = {}) const {
@@ -143,7 +131,7 @@ TEST_F(ResultExtent, OfAResumedRunIsThatOfAStraightOne) {
 // On an even slope a release is deepest where it waited; where a trough gathers it, the flow is.
 TEST_F(ResultExtent, DepthOutsideTheReleaseIsALayerWhereTheReleaseHidesIt) {
     write_scene();
-    succeeded(frana({"run", "scene.ini", "--out", "hidden", "--quiet", "--set", "time.end=1.5"}));
+    ran("hidden", {"time.end=1.5"});
     const Raster all = gis::read_result_raster(path("hidden/max_depth.tif")),
                  release = gis::read_result_raster(path("hidden/release.tif")),
                  outside = gis::read_result_raster(path("hidden/outside_depth.tif"));
@@ -159,8 +147,7 @@ TEST_F(ResultExtent, DepthOutsideTheReleaseIsALayerWhereTheReleaseHidesIt) {
     EXPECT_LT(maximum(outside), maximum(all));
     write_dtm(
         [](int row, int column) { return 300 - 2.5 * column + 1.0 * std::max(0, column - 18) * std::abs(row - 15); });
-    succeeded(frana(
-        {"run", "scene.ini", "--out", "shown", "--quiet", "--set", "release.thickness=0.3", "--set", "time.end=12"}));
+    ran("shown", {"release.thickness=0.3", "time.end=12"});
     EXPECT_GT(maximum(gis::read_result_raster(path("shown/max_depth.tif"))), 0.3);
     EXPECT_FALSE(fs::exists(path("shown/outside_depth.tif")));
 }

@@ -19,7 +19,7 @@ class KeptFilesOf : public CheckedScene {
   protected:
     void SetUp() override {
         write_scene("frame-interval = 1\n[output]\nmaps = off\nanimation = off\n");
-        succeeded(frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=2"}));
+        ran("result", {"time.end=2"});
     }
     [[nodiscard]] std::map<std::string, std::string> contents() const {
         std::map<std::string, std::string> all;

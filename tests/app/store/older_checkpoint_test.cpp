@@ -91,9 +91,8 @@ TEST_F(OlderCheckpoint, OfThisFormatUsesItsOrigin) {
 
 TEST_F(OlderCheckpoint, OriginOutsideOfTheGridIsRefused) {
     run_to_end(OriginCell{k_columns, 0});
-    const Outcome outcome = frana({"run", path("scene.ini"), "--out", "result", "--resume"});
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_NE(outcome.err.find("does not fit this program and scene"), std::string::npos) << outcome.err;
+    refusal_of(frana({"run", path("scene.ini"), "--out", "result", "--resume"}),
+               {"does not fit this program and scene"});
 }
 
 TEST_F(OlderCheckpoint, OfAnotherFormatIsRefusedWithAMessage) {
@@ -103,12 +102,9 @@ TEST_F(OlderCheckpoint, OfAnotherFormatIsRefusedWithAMessage) {
                                       {app::k_checkpoint_format + 1, "a newer"}}) {
         const std::string other = in_format(format, read_text(file()));
         std::ofstream(file(), std::ios::binary) << other;
-        const Outcome outcome = frana({"run", path("scene.ini"), "--out", "result", "--resume"});
-        EXPECT_EQ(outcome.exit_code, 2);
-        EXPECT_NE(outcome.err.find("was written by " + age + " frana, in format " + std::to_string(format) +
-                                   "; this one reads " + std::to_string(app::k_checkpoint_format)),
-                  std::string::npos)
-            << outcome.err;
+        refusal_of(frana({"run", path("scene.ini"), "--out", "result", "--resume"}),
+                   {"was written by " + age + " frana, in format " + std::to_string(format) + "; this one reads " +
+                    std::to_string(app::k_checkpoint_format)});
     }
 }
 

@@ -37,9 +37,7 @@ class Overwrite : public ResultScenes {
     /// The same by the program, which changes nothing.
     void expect_refused_by_the_program(const std::string& words, const std::string& result = "old") const {
         const auto before = bytes_below(folder_.string());
-        const Outcome outcome = frana({"run", "scene.ini", "--out", result, "--overwrite"});
-        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-        EXPECT_NE(outcome.err.find(words), std::string::npos) << words << "\nin " << outcome.err;
+        refusal_of(frana({"run", "scene.ini", "--out", result, "--overwrite"}), {words});
         EXPECT_TRUE(bytes_below(folder_.string()) == before);
     }
     [[nodiscard]] static std::map<std::string, std::string> bytes_below(const std::string& folder) {
@@ -221,11 +219,8 @@ TEST_F(Overwrite, OfAStudyIsRefusedWhileUsersFilesAreInTheWay) {
     for (const auto& [result, words] : commands) {
         write(result + "/notes.txt", "mine");
         const auto before = bytes_below(path(result));
-        const Outcome outcome = frana({words[0], words[1], "--out", result, "--quiet", "--overwrite"});
-        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-        EXPECT_NE(outcome.err.find("contains a file that frana did not write, or that was changed since: notes.txt"),
-                  std::string::npos)
-            << outcome.err;
+        refusal_of(frana({words[0], words[1], "--out", result, "--quiet", "--overwrite"}),
+                   {"contains a file that frana did not write, or that was changed since: notes.txt"});
         EXPECT_TRUE(bytes_below(path(result)) == before);
     }
 }
@@ -244,9 +239,7 @@ TEST_F(Overwrite, RedrawingIsRefusedForChangedFiles) {
     write("old/comparison.qml", "my style");
     for (const auto& [words, name] : {std::pair(draw, "maps/max_depth.png"), std::pair(compare, "comparison.qml")}) {
         const auto before = bytes_below(path("old"));
-        const Outcome outcome = frana(words);
-        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-        expect_words(outcome.err, {"was changed since frana wrote it, or is the user's", name});
+        refusal_of(frana(words), {"was changed since frana wrote it, or is the user's", name});
         EXPECT_TRUE(bytes_below(path("old")) == before);
     }
 }
@@ -367,8 +360,7 @@ TEST_F(Overwrite, AResumedRunWritesTheFilesOfAFreshOne) {
             "--set", "time.end=8",           "--set", "terrain.cell-size=2.5", "--set", "time.frame-interval=1",
             "--set", "output.maps=max_depth"};
         run(text + k_every_output, whole, longer);
-        std::vector<std::string> arguments{"run", "scene.ini", "--out", result, "--quiet"};
-        arguments.insert(arguments.end(), longer.begin(), longer.end());
+        std::vector<std::string> arguments = with_more({"run", "scene.ini", "--out", result, "--quiet"}, longer);
         StartedProgram program(folder_.string(), arguments);
         ASSERT_TRUE(program.wait_until([&] { return exists(result + ".partial/frames/depth_0001.tif"); }));
         program.send(SIGINT);
@@ -386,13 +378,9 @@ TEST_F(LeftBehind, AUsersFileInTheFolderOfAKilledRunIsInTheWay) {
     write("result.partial/notes.txt", "mine");
     const std::vector<std::string> killed = files_below(path("result.partial"));
     for (const char* option : {"--overwrite", "--resume"}) {
-        const Outcome outcome = frana(run("result", {option}));
-        EXPECT_EQ(outcome.exit_code, 2);
-        EXPECT_NE(
-            outcome.err.find("result.partial: was left by a run that was killed and contains a file that frana did "
-                             "not write, or that was changed since: notes.txt"),
-            std::string::npos)
-            << outcome.err;
+        refusal_of(frana(run("result", {option})),
+                   {"result.partial: was left by a run that was killed and contains a file that frana did "
+                    "not write, or that was changed since: notes.txt"});
         EXPECT_EQ(files_below(path("result.partial")), killed);
     }
     fs::remove(path("result.partial/notes.txt"));

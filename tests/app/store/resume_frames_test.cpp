@@ -74,9 +74,7 @@ TEST_F(ResumedFrames, MissingFilesAreReported) {
     program.wait();
     const fs::path file = folder_of(checkpoints("result")[0]) / "frames/particles_0000.gpkg";
     fs::remove(file);
-    const Outcome refused = frana(with_particles("result", {"--resume"}));
-    EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_NE(refused.err.find("needs a frame that is missing: " + file.string()), std::string::npos) << refused.err;
+    refusal_of(frana(with_particles("result", {"--resume"})), {"needs a frame that is missing: " + file.string()});
 }
 
 // Otherwise everything would be computed, and the animation would fail at the end, each time
@@ -85,9 +83,8 @@ TEST_F(ResumedFrames, ThatAreDamagedAreReportedBeforeAnythingIsComputed) {
     interrupt("result");
     const fs::path file = folder_of(checkpoints("result")[0]) / "frames/velocity_0000.tif";
     damage(file);
-    const Outcome refused = frana(run("result", {"--resume"}));
-    EXPECT_EQ(refused.exit_code, 2);
-    expect_words(refused.err, {"needs a frame that is not as it was written: " + file.string(), "--overwrite"});
+    refusal_of(frana(run("result", {"--resume"})),
+               {"needs a frame that is not as it was written: " + file.string(), "--overwrite"});
     EXPECT_EQ(checkpoints("result").size(), 2U);
 }
 

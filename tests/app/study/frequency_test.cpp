@@ -23,13 +23,10 @@ class Frequency : public Ensemble {
 
     /// Finite volumes, with gauges on the axis of the flow so far east of the DTM's western edge [m].
     void write_frequency_scene(const std::vector<double>& gauges = {45, 122.5, 162.5, 192.5}) const {
-        std::string text =
-            R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [)";
-        for (std::size_t i = 0; i < gauges.size(); ++i)
-            text += (i > 0 ? "," : "") + std::string(R"({"type": "Feature", "properties": {"name": "g)") +
-                    std::to_string(i) + R"("}, "geometry": {"type": "Point", "coordinates": [)" +
-                    std::to_string(k_west + gauges[i]) + ", " + std::to_string(k_south + 72.5) + "]}}";
-        write("gauges.geojson", text + "]}");
+        std::vector<TestFeature> points;
+        for (const double x : gauges)
+            points.push_back({"Point", {{x, 72.5}}, named("g" + std::to_string(points.size()))});
+        write_features("gauges", points);
         write_scene("stop-when-still = off\n[numerics]\nscheme = finite-volume\n" + k_numbers_only +
                     "charts = off\ngauges = gauges.geojson\n");
     }
@@ -126,15 +123,8 @@ TEST_F(Frequency, AnUncertainLawOfVolumesWidensTheBand) {
 // log-normal curve is the sum of such steps over the hazard curve, which is known in closed form.
 TEST_F(Frequency, DamageOfAPileAtRestIsThatOfItsHazardCurve) {
     write_dtm([](int, int column) { return 300 - 0.05 * column * k_cell; });
-    write(
-        "houses.geojson",
-        R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "EPSG:32632"}}, "features": [)" +
-            std::string(R"({"type": "Feature", "properties": {"kind": "step", "worth": 1000}, "geometry": )") +
-            R"({"type": "Point", "coordinates": [)" + std::to_string(k_west + 45) + ", " +
-            std::to_string(k_south + 72.5) +
-            R"(]}}, {"type": "Feature", "properties": {"kind": "smooth", "worth": 1000}, )" +
-            R"("geometry": {"type": "Point", "coordinates": [)" + std::to_string(k_west + 45) + ", " +
-            std::to_string(k_south + 72.5) + "]}}]}");
+    write_features("houses", {{"Point", {{45, 72.5}}, R"("kind": "step", "worth": 1000)"},
+                              {"Point", {{45, 72.5}}, R"("kind": "smooth", "worth": 1000)"}});
     write("fragility.csv",
           "class,state,loss_ratio,quantity,unit,median,beta\nstep,lost,1,depth,m,2,0\nsmooth,lost,1,depth,m,2,0.3\n");
     write("scene.ini",
@@ -280,11 +270,7 @@ TEST_F(Frequency, WithoutOneThereAreNoRatesAndVolumesMustFitTheScene) {
     succeeded(run());
     for (const std::string& name : files()) expect_no_words(name, {"annual_rate", "_T100", "hazard_curves"});
     EXPECT_FALSE(parse_json(read_text(path("out/summary.json"))).contains("frequency"));
-    const auto expect_refused = [&](const std::string& words) {
-        const Outcome outcome = frana({"check", "study.ini"});
-        EXPECT_EQ(outcome.exit_code, 2) << words;
-        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
-    };
+    const auto expect_refused = [&](const std::string& words) { refusal_of(frana({"check", "study.ini"}), {words}); };
     write_study("samples = 4\n", "[frequency]\nvolumes = 2: 20, 4: 100, 8: 400\n");
     expect_refused("not in thousands");
     write("scene.ini",
@@ -301,27 +287,16 @@ class RegionFrequency : public Frequency {
         double west = 20, south = 55;
     };
     void write_sources(const std::vector<TestSource>& sources, const std::string& rest) const {
-        std::string features, columns;
-        for (const TestSource& one : sources) {
-            const auto corner = [&](double x, double y) {
-                return "[" + std::to_string(k_west + one.west + x) + ", " + std::to_string(k_south + one.south + y) +
-                       "]";
-            };
-            features += std::string(features.empty() ? "" : ",\n") + R"({"type": "Feature", "properties": {"NAME": ")" +
-                        one.name + R"(", "RATE": ")" + one.rate + R"(", "VOLUMES": ")" + one.volumes +
-                        R"("}, "geometry": {"type": "Polygon", "coordinates": [[)" + corner(0, 0) + ", " +
-                        corner(50, 0) + ", " + corner(50, 40) + ", " + corner(0, 40) + ", " + corner(0, 0) + "]]}}";
-        }
-        write("perimeter.geojson",
-              R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "EPSG:32632"}}, )"
-              R"("features": [)" +
-                  features + "]}");
+        std::vector<TestFeature> features;
+        for (const TestSource& one : sources)
+            features.push_back(
+                {"Polygon", box(one.west, one.south, one.west + 50, one.south + 40),
+                 R"("NAME": ")" + one.name + R"(", "RATE": ")" + one.rate + R"(", "VOLUMES": ")" + one.volumes + '"'});
+        write_features("perimeter", features);
         write("region.ini", "[region]\nscene = scene.ini\nname = NAME\n" + rest);
     }
     [[nodiscard]] Outcome batch(const std::vector<std::string>& more = {}, const std::string& out = "out") const {
-        std::vector<std::string> arguments{"batch", "region.ini", "--out", out, "--quiet"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        return frana(arguments);
+        return frana(with_more({"batch", "region.ini", "--out", out, "--quiet"}, more));
     }
 };
 const std::string k_columns_of_frequency = "[columns]\nfrequency.rate = RATE\nfrequency.volumes = VOLUMES\n";
@@ -437,9 +412,7 @@ TEST_F(RegionFrequency, SameBitsForAnyNumberOfThreadsAndAfterAKill) {
 TEST_F(RegionFrequency, WhatAFrequencyNeedsIsAsked) {
     const auto expect_refused = [&](const std::string& rest, const std::string& words) {
         write_sources({{"a", "0.05", "2000: 20"}}, rest);
-        const Outcome outcome = frana({"check", "region.ini"});
-        EXPECT_EQ(outcome.exit_code, 2) << words;
-        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+        refusal_of(frana({"check", "region.ini"}), {words});
     };
     const std::string vary = "[vary]\nmaterial.friction-angle = uniform(12, 20)\n";
     expect_refused(vary, "needs a frequency");

@@ -19,12 +19,7 @@ class RareStudy : public Ensemble {
         write_gauges(222);
     }
     /// A gauge on the axis of the flow, so far east of the DTM's western edge [m].
-    void write_gauges(double east) const {
-        write(
-            "gauges.geojson",
-            R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [{"type": "Feature", "properties": {"name": "house"}, "geometry": {"type": "Point", "coordinates": [)" +
-                std::to_string(k_west + east) + ", " + std::to_string(k_south + 72.5) + "]}}]}");
-    }
+    void write_gauges(double east) const { write_features("gauges", {{"Point", {{east, 72.5}}, named("house")}}); }
     void write_rare(const std::string& head) const { write_study(head, k_keys); }
     const std::string k_keys = "[set]\ntime.end = 1.2\n" + k_two_keys;  // they run on to 12 s
     const std::string k_importance = "sampling = importance\nrare-place = house\n";
@@ -82,9 +77,7 @@ TEST_F(RareStudy, RunsThatWereCutMayHaveComeThere) {
 
 TEST_F(RareStudy, WhatDoesNotGoTogetherIsRefused) {
     const auto expect_refused = [&](const std::string& words) {
-        const Outcome outcome = run();
-        EXPECT_EQ(outcome.exit_code, 2) << words;
-        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+        refusal_of(run(), {words});
         EXPECT_FALSE(fs::exists(path("out")));
     };
     write_rare("samples = 64\nsampling = importance\nrare-place = hose\n");

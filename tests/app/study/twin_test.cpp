@@ -210,8 +210,7 @@ double uniform_probability(std::vector<double> ranks) {
 
 // Members run in batches: what a batch reached must not decide which cells of a surveyed deposit count.
 TEST_F(Twin, AllBatchesAreComparedOverTheSameCells) {
-    succeeded(frana({"run", "scene.ini", "--out", "long", "--quiet", "--set", "time.end=15", "--set",
-                     "material.friction-angle=8"}));
+    ran("long", {"time.end=15", "material.friction-angle=8"});
     write_polygon("small", {{20, 60}, {40, 60}, {40, 90}, {20, 90}});
     write("study.ini",
           "[study]\nscene = scene.ini\nsamples = 4\n[objective]\njaccard = 1\ndeposit-depth = 1\n[set]\ntime.end = 15\n"

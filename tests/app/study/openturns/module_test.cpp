@@ -116,7 +116,7 @@ TEST_F(WithoutDrawing, ARunIsRefusedAndSoItsCheck) {
                            "vtk.so");
     }
     // Without maps a surveyed outline is not drawn.
-    succeeded(frana({"run", "scene.ini", "--out", "truth", "--quiet"}));
+    ran("truth");
     succeeded(copy({"run", "scene.ini", "--out", "out", "--set", "observed.perimeter=truth/extent.gpkg|layer=trace"}));
 }
 
@@ -129,7 +129,7 @@ TEST_F(WithoutDrawing, AStudyIsRefused) {
 }
 
 TEST_F(WithoutDrawing, ACalibrationIsRefused) {
-    succeeded(frana({"run", "scene.ini", "--out", "truth", "--quiet"}));
+    ran("truth");
     const std::string scene = "perimeter = truth/extent.gpkg|layer=trace\n",
                       rest = "[objective]\njaccard = 1\n" + k_two_keys;
     write("slope.ini", read_text(path("scene.ini")) + "[observed]\n" + scene);

@@ -30,9 +30,7 @@ class Ranks : public Ensemble {
         ::setenv("OMPI_MCA_hwloc_base_binding_policy", "none", 1);
     }
     [[nodiscard]] static std::vector<std::string> under_mpirun(int ranks, const std::vector<std::string>& arguments) {
-        std::vector<std::string> all{"-n", std::to_string(ranks), FRANA_PROGRAM};
-        all.insert(all.end(), arguments.begin(), arguments.end());
-        return all;
+        return with_more({"-n", std::to_string(ranks), FRANA_PROGRAM}, arguments);
     }
     [[nodiscard]] Outcome mpirun(int ranks, const std::vector<std::string>& arguments) const {
         StartedProgram program(folder_.string(), under_mpirun(ranks, arguments), "mpirun");
@@ -57,20 +55,9 @@ class Ranks : public Ensemble {
 
 // A region's slopes are given to ranks like members.
 TEST_F(Ranks, RegionsHaveTheSameBitsToo) {
-    std::string features;
-    for (const int south : {20, 60, 100}) {
-        const auto corner = [&](int x, int y) {
-            return "[" + std::to_string(k_west + x) + ", " + std::to_string(k_south + y) + "]";
-        };
-        features += std::string(features.empty() ? "" : ", ") +
-                    R"({"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [[)" +
-                    corner(20, south) + ", " + corner(45, south) + ", " + corner(45, south + 25) + ", " +
-                    corner(20, south + 25) + ", " + corner(20, south) + "]]}}";
-    }
-    write(
-        "perimeter.geojson",
-        R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "EPSG:32632"}}, "features": [)" +
-            features + "]}");
+    std::vector<TestFeature> slopes;
+    for (const int south : {20, 60, 100}) slopes.push_back({"Polygon", box(20, south, 45, south + 25)});
+    write_features("perimeter", slopes);
     write("region.ini", "[region]\nscene = scene.ini\nscheme = finite-volume\n");
     succeeded(frana({"batch", "region.ini", "--out", "alone", "--threads", "1", "--quiet"}));
     succeeded(mpirun(2, {"batch", "region.ini", "--out", "ranks", "--quiet"}));
@@ -96,11 +83,7 @@ TEST_F(Ranks, AFrequencyOfARegionHasTheSameBitsToo) {
     replace("cell-size = 10", "cell-size = 30\ntime.end = 60\noutput.maps = off");
     write("fan.ini", text);
     const std::vector<std::string> command{"batch", "fan.ini", "--quiet", "--out"};
-    const auto with = [&](const std::vector<std::string>& more) {
-        std::vector<std::string> all = command;
-        all.insert(all.end(), more.begin(), more.end());
-        return all;
-    };
+    const auto with = [&](const std::vector<std::string>& more) { return with_more(command, more); };
     for (const std::string threads : {"1", "2"}) {
         succeeded(frana(with({"alone" + threads, "--threads", threads})));
     }
@@ -143,7 +126,7 @@ TEST_F(Ranks, UntilStopsAtTheSameMember) {
 
 // N programs fought for one lock.
 TEST_F(Ranks, ACalibrationSharesItsRuns) {
-    succeeded(frana({"run", "scene.ini", "--out", "truth", "--quiet", "--set", "time.end=12"}));
+    ran("truth", {"time.end=12"});
     write("slope.ini", read_text(path("scene.ini")) + "[observed]\nperimeter = truth/extent.gpkg|layer=trace\n");
     write("study.ini", "[study]\nscene = slope.ini\nsamples = 16\n[set]\ntime.end = 12\n" +
                            std::string("[objective]\njaccard = 1\n") + k_two_keys);
@@ -226,8 +209,7 @@ TEST_F(Ranks, ASignalStopsAllInOrder) {
 
 TEST_F(Ranks, ProblemsAreReportedOnceByRank0) {
     write_study("samples = 0\n", k_two_keys);
-    const Outcome outcome = mpirun(3, {"ensemble", "study.ini", "--out", "out"});
-    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    const Outcome outcome = refusal_of(mpirun(3, {"ensemble", "study.ini", "--out", "out"}));
     const auto first = outcome.err.find("study.samples");
     ASSERT_NE(first, std::string::npos) << outcome.err;
     EXPECT_EQ(outcome.err.find("study.samples", first + 1), std::string::npos) << outcome.err;
@@ -242,14 +224,10 @@ TEST_F(Ranks, AnotherStudyOnAnotherMachineIsRefused) {
         if (fs::exists(path(name))) fs::copy_file(path(name), path("elsewhere/" + name));
     write("elsewhere/study.ini", "[study]\nscene = scene.ini\nsamples = 1000\nseed = 2\n" + k_two_keys);
     const std::vector<std::string> command{FRANA_PROGRAM, "ensemble", "study.ini", "--out", path("out")};
-    std::vector<std::string> arguments{"-n", "1"};
-    arguments.insert(arguments.end(), command.begin(), command.end());
-    arguments.insert(arguments.end(), {":", "-n", "1", "-wdir", path("elsewhere")});
-    arguments.insert(arguments.end(), command.begin(), command.end());
-    StartedProgram job(folder_.string(), arguments, "mpirun");
-    const Outcome outcome = job.wait();
-    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-    expect_words(outcome.err, {"rank 1 on ", "other data than rank 0"});
+    const std::vector<std::string> elsewhere =
+        with_more({"-n", "1"}, with_more(command, {":", "-n", "1", "-wdir", path("elsewhere")}));
+    StartedProgram job(folder_.string(), with_more(elsewhere, command), "mpirun");
+    refusal_of(job.wait(), {"rank 1 on ", "other data than rank 0"});
 }
 
 // As after `srun -n 3` without --mpi: three programs would write the same result.
