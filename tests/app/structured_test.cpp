@@ -213,11 +213,6 @@ TEST_F(StructuredScene, RainFallsWhereRastersSay) {
     EXPECT_NEAR(at(3, 50), depth, 1e-7);  // of Float32
     EXPECT_TRUE(std::isnan(at(3, 20)));
     EXPECT_EQ(read_text(path("1/final_depth.tif")), read_text(path("3/final_depth.tif")));
-    for (const std::string wrong : {"time,raster\n0,east.asc\n", "time,raster\n0,none.asc\n9,\n",
-                                    "time,raster\n5,east.asc\n5,\n", "raster\neast.asc\n"}) {
-        write("rain.csv", wrong);
-        refusal_of(frana({"check", "scene.ini"}));
-    }
 }
 
 // A drizzle of 30 m3 does not hide that the flow ran off the map; and rain alone, which leaves everywhere, is no such

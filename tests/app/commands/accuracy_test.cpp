@@ -130,8 +130,6 @@ TEST_F(AccuracyRun, EstimatesGaugesAndSections) {
 }
 
 TEST_F(AccuracyRun, IsAPercentageOrAFraction) {
-    refusal_of(run("result", {"--accuracy", "2"}), {"numerics.accuracy"});
-    EXPECT_FALSE(fs::exists(path("result")));
     const Outcome outcome =
         succeeded(frana({"check", "scene.ini", "--set", "numerics.accuracy=2%", "--set", "terrain.cell-size=2"}));
     EXPECT_NE(outcome.out.find("2 %: cells of 12, 8, 6, 4, then at most 2 m"), std::string::npos) << outcome.out;

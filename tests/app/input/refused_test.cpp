@@ -81,6 +81,7 @@ class Refused : public CheckedScene {
     void write_places() const {
         write_features("line", {{"LineString", {{30, 60}, {30, 90}}}});
         write_features("far_line", {{"LineString", {{30, 60}, {30, 990}}}});
+        write_features("exposed", {{"Point", {{92, 73}}, R"("what": "house", "people": 7)"}});
         write_polygon("zone", {{100, 10}, {200, 10}, {200, 140}, {100, 140}});
         write_polygon("half", {{100, 10}, {400, 10}, {400, 140}, {100, 140}});
         write_polygon("house", {{30, 60}, {50, 60}, {50, 80}, {30, 80}});
@@ -130,6 +131,10 @@ class Refused : public CheckedScene {
         write("hours.csv", "time,discharge_m3/h\n0,1\n3,7\n");
         write("knots.csv", "time,discharge,velocity_kn\n0,1,1\n3,7,1\n");
         write("late.csv", "time,discharge\n5,1\n9,2\n");
+        write("rain_ends.csv", "time,raster\n0,one.asc\n");
+        write("rain_lost.csv", "time,raster\n0,none.asc\n9,\n");
+        write("rain_stays.csv", "time,raster\n5,one.asc\n5,\n");
+        write("rain_timeless.csv", "raster\none.asc\n");
         write("drizzle.csv", "time_h,rain\n0,1e-5\n3,2e-5\n");
         write("drought.csv", "time_h,rain_mm/h\n0,0\n3,0\n");
         write("melts.csv", "time,depth\n0,10\n5,8\n");

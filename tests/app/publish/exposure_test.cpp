@@ -216,16 +216,5 @@ TEST_F(Exposure, CheckCountsFeaturesAndWarnsOfThoseOffTheMap) {
     expect_words(outcome.err, {"2 of 7 exposed features not on mapped ground", "elsewhere"});
 }
 
-TEST_F(Exposure, MistakesAreRefused) {
-    write_exposed();
-    const auto refused = [&](const std::string& set) {
-        const Outcome outcome = refusal_of(frana({"run", "scene.ini", "--out", "out", "--quiet", "--set", set}));
-        return outcome.err;
-    };
-    EXPECT_NE(refused("output.exposure-name=names").find("Its columns are what, people"), std::string::npos);
-    EXPECT_NE(refused("output.exposure-count=what").find("a count that is no number"), std::string::npos);
-    EXPECT_NE(refused("output.exposure=missing.gpkg").find("output.exposure"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace frana::test
