@@ -53,10 +53,9 @@ TEST_F(EchoedScene, ReproducesTheRunBitForBit) {
         RandomNumbers random(scene_seed(), 9000000 + static_cast<std::uint64_t>(i));
         const std::string text = random_text(random);
         write("scene.ini", text);
-        const Outcome first = frana({"run", "scene.ini", "--out", "first", "--overwrite", "--quiet"});
-        ASSERT_EQ(first.exit_code, 0) << first.err << text;
-        const Outcome second = frana({"run", "first/scene.ini", "--out", "second", "--overwrite", "--quiet"});
-        ASSERT_EQ(second.exit_code, 0) << second.err << read_text(path("first/scene.ini"));
+        const Outcome first = succeeded(frana({"run", "scene.ini", "--out", "first", "--overwrite", "--quiet"}));
+        const Outcome second =
+            succeeded(frana({"run", "first/scene.ini", "--out", "second", "--overwrite", "--quiet"}));
         for (const char* name : {"max_depth", "max_velocity", "final_depth", "arrival_time", "max_pressure"}) {
             const std::string file = std::string("/") + name + ".tif";
             EXPECT_EQ(bits_of(path("first" + file)), bits_of(path("second" + file))) << name << '\n' << text;
@@ -69,10 +68,7 @@ TEST_F(EchoedScene, ReproducesTheRunBitForBit) {
 TEST_F(EchoedScene, MoreTerrainChangesNoBit) {
     write_scene(k_numbers_only);
     const auto run_to = [&](const std::string& result, const std::vector<std::string>& more) {
-        std::vector<std::string> words{"run", "scene.ini", "--out", result, "--quiet", "--set", "time.end=2"};
-        words.insert(words.end(), more.begin(), more.end());
-        const Outcome outcome = frana(words);
-        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        succeeded(frana(with_more({"run", "scene.ini", "--out", result, "--quiet", "--set", "time.end=2"}, more)));
     };
     run_to("whole", {});
     run_to("part", {"--set", "terrain.bounds=527005 5094020 527200 5094135"});

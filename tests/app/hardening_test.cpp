@@ -26,9 +26,8 @@ TEST(Hardening, IsInTheReleaseBuild) {
 #endif
     const std::string elf =
         output_of("readelf -W --file-header --program-headers --dynamic --dyn-syms '" FRANA_PROGRAM "'");
-    for (const char* mark :
-         {"DYN (Position-Independent Executable file)", "GNU_RELRO", "BIND_NOW", "__stack_chk_fail", "__snprintf_chk"})
-        EXPECT_NE(elf.find(mark), std::string::npos) << mark;
+    expect_words(elf, {"DYN (Position-Independent Executable file)", "GNU_RELRO", "BIND_NOW", "__stack_chk_fail",
+                       "__snprintf_chk"});
 }
 
 }  // namespace

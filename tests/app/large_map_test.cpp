@@ -11,8 +11,7 @@ TEST_F(LargeMap, TwoFlowsFarApartTakeLessThanAGigabyte) {
     write_map("large.tif", 20'000, k_map_west, k_map_north, hills);
     write_releases(hills);
     write_scene("[output]\nanimation = off\n");
-    const Outcome outcome = run("large.tif", "result");
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = succeeded(run("large.tif", "result"));
     if (!k_sanitized) {
         EXPECT_LT(outcome.peak_memory_bytes, 1e9);
     }
@@ -42,8 +41,7 @@ TEST_F(LargeMap, TwoFlowsFarApartTakeLessThanAGigabyte) {
     EXPECT_EQ(elsewhere, 0);
     for (const char* file : {"result/max_depth.tif", "result/dtm.tif", "result/frames/depth_0001.tif"})
         EXPECT_LT(std::filesystem::file_size(path(file)), 2e6) << file;
-    const Outcome drawn = frana({"render", "result", "--map", "max_depth", "--out", "maps"});
-    EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+    const Outcome drawn = succeeded(frana({"render", "result", "--map", "max_depth", "--out", "maps"}));
     if (!k_sanitized) {
         EXPECT_LT(drawn.peak_memory_bytes, 1e9);
     }
@@ -59,8 +57,7 @@ TEST_F(LargeMap, AStudyOfTwoFlowsFarApartTakesLessThanAGigabyte) {
           "friction-angle = 8\nturbulence = 500\n[time]\nend = 3\n" +
               k_numbers_only);
     write("study.ini", "[study]\nscene = scene.ini\nsamples = 4\n[vary]\nmaterial.friction-angle = uniform(5, 12)\n");
-    const Outcome outcome = frana({"ensemble", "study.ini", "--out", "range", "--quiet"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = succeeded(frana({"ensemble", "study.ini", "--out", "range", "--quiet"}));
     if (!k_sanitized) {
         EXPECT_LT(outcome.peak_memory_bytes, 1e9);
     }
@@ -84,8 +81,7 @@ TEST_F(LargeMap, ShowsWhatWasReachedUnlessAskedForTheMap) {
           "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
           "bed-friction = manning\nmanning = 0.1\n[time]\nend = 3\n[output]\nanimation = off\nmaps = off\n");
     for (const char* extent : {"auto", "map"}) {
-        const Outcome outcome = run("large.tif", extent, extent);
-        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        succeeded(run("large.tif", extent, extent));
     }
     for (const char* file : {"max_depth", "final_depth", "dtm", "bed", "frames/velocity_0001"}) {
         const Raster part = gis::read_result_raster(path("auto/" + std::string(file) + ".tif")),
@@ -232,8 +228,7 @@ TEST_F(LargeMap, AsksForAddressesThatTheShellAllows) {
                                 "' check scene.ini --set terrain.dtm=large.tif > out.txt 2> err.txt";
     EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2);
     const std::string err = read_text(path("err.txt"));
-    for (const char* word : {"terrain.cell-size", "addresses", "ulimit -v"})
-        EXPECT_NE(err.find(word), std::string::npos) << err;
+    expect_words(err, {"terrain.cell-size", "addresses", "ulimit -v"});
 }
 
 }  // namespace

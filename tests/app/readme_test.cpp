@@ -34,12 +34,10 @@ TEST_F(Readme, ItsFirstSceneRunsUnchanged) {
     fs::create_directory_symlink(FRANA_SOURCE_DIR "/sample_data", folder_ / "sample_data");
     fs::create_directory(folder_ / "my-slope");
     write("my-slope/scene.ini", scene);
-    const Outcome checked = frana({"check", "my-slope/scene.ini"});
-    EXPECT_EQ(checked.exit_code, 0) << checked.err;
+    succeeded(frana({"check", "my-slope/scene.ini"}));
     // A second of the flow is enough to show that it runs.
-    const Outcome run = frana({"run", "my-slope/scene.ini", "--quiet", "--set", "time.end=1", "--set",
-                               "output.maps=off", "--set", "output.animation=off"});
-    EXPECT_EQ(run.exit_code, 0) << run.err;
+    succeeded(frana({"run", "my-slope/scene.ini", "--quiet", "--set", "time.end=1", "--set", "output.maps=off", "--set",
+                     "output.animation=off"}));
     EXPECT_TRUE(fs::exists(folder_ / "my-slope/results/my-slope/max_depth.tif"));
 }
 
@@ -86,8 +84,7 @@ TEST_F(Tutorial, EachOfItsCommandsRuns) {
         std::istringstream rest(std::regex_replace(line.substr(command.size()), std::regex("@300"), "@150"));
         std::vector<std::string> words;
         for (std::string word; rest >> std::quoted(word);) words.push_back(word);
-        const Outcome outcome = frana(words);
-        ASSERT_EQ(outcome.exit_code, 0) << line << "\n" << outcome.err;
+        succeeded(frana(words));
         ++commands;
     }
     EXPECT_EQ(shortened, shorter.size());

@@ -13,8 +13,7 @@ TEST_P(Example, IsReadyToRun) {
     const auto [scene, data] = GetParam();
     const std::string needed = std::string(FRANA_SHARED_DIR) + "/data/" + data;
     if (!std::filesystem::exists(needed)) GTEST_SKIP() << "the event's data are not at " << needed;
-    const Outcome outcome = frana({"check", std::string(FRANA_SOURCE_DIR) + "/share/scenes/" + scene});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = succeeded(frana({"check", std::string(FRANA_SOURCE_DIR) + "/share/scenes/" + scene}));
     EXPECT_NE(outcome.out.find("ready to run"), std::string::npos);
 }
 
@@ -28,13 +27,11 @@ TEST_P(Example, LeadsFromTheRawFilesToTheReportInAtMostFifteenLines) {
     if (!std::filesystem::exists(std::string(FRANA_SHARED_DIR) + "/data/" + data))
         GTEST_SKIP() << "the event's data are not at " << FRANA_SHARED_DIR << "/data/" << data;
     // A second of the flow; the whole runs are in share/doc/validation.md.
-    const Outcome outcome =
+    succeeded(
         frana({"run", file, "--out", "result", "--quiet", "--set", "time.end=1", "--set", "output.maps=max_depth",
-               "--set", "output.animation=off", "--set", "output.frames=off", "--set", "output.map-size=800x600"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+               "--set", "output.animation=off", "--set", "output.frames=off", "--set", "output.map-size=800x600"}));
     const std::string page = read_text(path("result/report.html"));
-    EXPECT_NE(page.find("</html>"), std::string::npos);
-    EXPECT_NE(page.find("src=\"data:image/"), std::string::npos);
+    expect_words(page, {"</html>", "src=\"data:image/"});
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Example,
@@ -51,10 +48,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Example,
 using Sample = TinyScene;
 
 TEST_F(Sample, BindoIsReadyToRun) {
-    const Outcome outcome = frana({"check", FRANA_SOURCE_DIR "/sample_data/bindo/scene.ini"});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    for (const std::string words : {"EPSG:32632", "EPSG:4326", "EPSG:3003"})
-        EXPECT_NE(outcome.out.find(words), std::string::npos) << words << " in\n" << outcome.out;
+    const Outcome outcome = succeeded(frana({"check", FRANA_SOURCE_DIR "/sample_data/bindo/scene.ini"}));
+    expect_words(outcome.out, {"EPSG:32632", "EPSG:4326", "EPSG:3003"});
 }
 
 }  // namespace

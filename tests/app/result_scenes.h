@@ -11,13 +11,6 @@
 
 namespace frana::test {
 
-inline const std::string k_gauge =
-    R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [
-       {"type": "Feature", "properties": {"name": "top"}, "geometry": {"type": "Point", "coordinates": [527045, 5094075]}}]})";
-inline const std::string k_section =
-    R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [
-       {"type": "Feature", "properties": {"name": "bridge"}, "geometry": {"type": "LineString", "coordinates": [[527080, 5094000], [527080, 5094150]]}}]})";
-
 inline const std::string k_every_output =
     "[output]\nframes = on\nmap-size = 640x480\nmap-formats = png, pdf, svg\nmaps = max_depth, "
     "max_velocity_3d\n"
@@ -29,8 +22,8 @@ inline const std::string k_every_output =
 class ResultScenes : public TinyScene {
   protected:
     ResultScenes() {
-        write("gauge.geojson", k_gauge);
-        write("section.geojson", k_section);
+        write_features("gauge", {{"Point", {{45, 75}}, named("top")}});
+        write_features("section", {{"LineString", {{80, 0}, {80, 150}}, named("bridge")}});
         write_polygon("scar", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
     }
     /// Runs a scene's text on cells of 10 m into a folder.
@@ -39,26 +32,16 @@ class ResultScenes : public TinyScene {
               "[terrain]\ndtm = dtm.asc\ncell-size = 10\n[release]\nperimeter = perimeter.geojson\n"
               "thickness = 2\n[time]\nend = 2\nframe-interval = 0.5\nstop-when-still = off\n[output]\n" +
                   k_one_day + text);
-        std::vector<std::string> arguments{"run", "scene.ini", "--out", result, "--quiet"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        const Outcome outcome = frana(arguments);
-        ASSERT_EQ(outcome.exit_code, 0) << result << ": " << outcome.err;
+        succeeded(frana(with_more({"run", "scene.ini", "--out", result, "--quiet"}, more)));
     }
-    void render(const std::vector<std::string>& words) const {
-        std::vector<std::string> arguments{"render", "old"};
-        arguments.insert(arguments.end(), words.begin(), words.end());
-        const Outcome outcome = frana(arguments);
-        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    }
+    void render(const std::vector<std::string>& words) const { succeeded(frana(with_more({"render", "old"}, words))); }
     /// Everything that can be drawn later.
     void render_all() const {
         render({"--charts", "--size", "640x480"});
         render({"--animation", "old/film.gif", "--size", "640x480"});
         render({"--map", "depth@1", "--map", "dtm", "--size", "640x480"});
         render({"--map", "max_depth", "--out", "old/more", "--size", "640x480"});
-        ASSERT_EQ(
-            frana({"compare", "old", "--scar", "scar.geojson", "--size", "640x480", "--out", "old/compared"}).exit_code,
-            0);
+        succeeded(frana({"compare", "old", "--scar", "scar.geojson", "--size", "640x480", "--out", "old/compared"}));
     }
     void copy(const std::string& from, const std::string& to) const {
         std::filesystem::copy(path(from), path(to),

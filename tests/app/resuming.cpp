@@ -21,9 +21,7 @@ Resuming::Resuming() {
 }
 
 std::vector<std::string> Resuming::run(const std::string& result, const std::vector<std::string>& more) const {
-    std::vector<std::string> arguments{"run", "scene.ini", "--out", result, "--set", "output.checkpoint-interval=0.02"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
+    return with_more({"run", "scene.ini", "--out", result, "--set", "output.checkpoint-interval=0.02"}, more);
 }
 
 std::vector<std::string> Resuming::checkpoints(const std::string& result) const {
@@ -65,8 +63,7 @@ void Resuming::expect_same_result(const std::string& one, const std::string& oth
 void Resuming::expect_tidy(const std::string& result) const {
     for (const std::string& name : files()) {
         if (name.rfind(result, 0) != 0) continue;
-        EXPECT_EQ(name.find("partial"), std::string::npos) << name;
-        EXPECT_EQ(name.find("checkpoint"), std::string::npos) << name;
+        expect_no_words(name, {"partial", "checkpoint"});
     }
 }
 

@@ -16,15 +16,13 @@ class BothModels : public TinyScene {
                                       const std::string& frames = "off") const {
         std::vector<std::string> arguments{"run", FRANA_SOURCE_DIR "/sample_data/bindo/" + scene, "--out", "result",
                                            "--overwrite"};
-        std::vector<std::string> set{"terrain.cell-size=40", "output.maps=off", "output.animation=off",
-                                     "output.frames=" + frames};
-        set.insert(set.end(), changes.begin(), changes.end());
+        const std::vector<std::string> set = with_more(
+            {"terrain.cell-size=40", "output.maps=off", "output.animation=off", "output.frames=" + frames}, changes);
         for (const std::string& one : set) {
             arguments.emplace_back("--set");
             arguments.push_back(one);
         }
-        const Outcome outcome = frana(arguments);
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        succeeded(frana(arguments));
         return read_text(path("result/summary.json"));
     }
 };

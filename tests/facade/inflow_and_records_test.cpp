@@ -27,16 +27,9 @@ using facade::Series;
 class InflowAndRecords : public TinyScene {
   protected:
     InflowAndRecords() {
-        write_marks("line", R"("LineString", "coordinates": [[527020, 5094020], [527020, 5094045]])", "flood");
-        write_marks("gauge", R"("Point", "coordinates": [527078, 5094072])", "bridge");
-        write_marks("section", R"("LineString", "coordinates": [[527074, 5094120], [527074, 5094030]])", "road");
-    }
-    void write_marks(const std::string& file, const std::string& geometry, const std::string& name) const {
-        write(
-            file + ".geojson",
-            R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}},)"
-            R"( "features": [{"type": "Feature", "properties": {"name": ")" +
-                name + R"("}, "geometry": {"type": )" + geometry + "}}]}\n");
+        write_features("line", {{"LineString", {{20, 20}, {20, 45}}, named("flood")}});
+        write_features("gauge", {{"Point", {{78, 72}}, named("bridge")}});
+        write_features("section", {{"LineString", {{74, 120}, {74, 30}}, named("road")}});
     }
     void write_all(const std::string& hydrograph, const std::string& more = "") const {
         write("flood.csv", hydrograph);
@@ -81,7 +74,7 @@ class InflowAndRecords : public TinyScene {
             EXPECT_EQ(std::memcmp(cells.data(), dense.data(), cells.size_bytes()), 0) << name;
         }
         EXPECT_EQ(result.number("volume.inflow_m3"), expected.volume_inflow);
-        ASSERT_EQ(frana({"run", "scene.ini", "--out", "out", "--quiet"}).exit_code, 0);
+        ran("out");
         expect_table("gauges.csv", "bridge", result.gauges());
         expect_table("sections.csv", "road", result.sections());
         std::filesystem::remove_all(path("out"));

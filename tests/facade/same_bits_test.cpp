@@ -112,8 +112,7 @@ TEST(SameBits, AsTheFilesOfFranaRun) {
         arguments.emplace_back("--set");
         arguments.push_back(key + "=" + value);
     }
-    const Outcome outcome = run_program(folder, arguments);
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run_program(folder, arguments));
     const facade::Result result = facade::run(scene_of(sample));
     for (const char* name : {"max_depth", "max_velocity", "arrival_time", "final_depth", "max_pressure"}) {
         const Raster file = gis::read_result_raster(folder + "/result/" + name + ".tif");

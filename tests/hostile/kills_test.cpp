@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 
+#include "support/tiny_scene.h"
 #include "trial_ground.h"
 #include "trials.h"
 
@@ -69,6 +70,26 @@ TEST_F(Killed, AtRandomMomentsLosesNothing) {
         expect_nothing_lost(command, ending, Disturbance::kill);
         expect_repaired(command);
     }
+}
+
+// Rasters are written, nothing is left to draw: the signal comes too late to leave anything out.
+class LateSignal : public TinyScene {};
+
+TEST_F(LateSignal, WithoutEffectIsNoError) {
+    if (!can_watch_calls()) GTEST_SKIP() << "this system does not let a program's calls be watched (seccomp)";
+    bool sent = false;
+    const Ending ending =
+        run_supervised(folder_.string(), {{"run", "scene.ini", "--out", "result"}}, {}, [&](const SystemCall& call) {
+            if (sent || call.path.find("/summary.json") == std::string::npos) return Answer{};
+            sent = true;
+            EXPECT_TRUE(std::filesystem::exists(path("result.partial/max_depth.tif")));
+            return Answer{Answer::Kind::signal, SIGTERM};
+        });
+    EXPECT_TRUE(sent);
+    EXPECT_EQ(ending.exit_code, 0) << ending.err;
+    EXPECT_TRUE(std::filesystem::exists(path("result/summary.json")));
+    for (const std::string& name : files())
+        EXPECT_TRUE(name.find("partial") == std::string::npos && name.find("checkpoint") == std::string::npos) << name;
 }
 
 }  // namespace

@@ -112,7 +112,7 @@ TEST_F(Leftovers, AnUnreadableListIsReportedAndTheNextRunCleansUp) {
         EXPECT_NE(ending.err.find("manifest.json: cannot be read"), std::string::npos) << ending.err;
         expect_repaired(command, command.again);
         // An interrupted call is no problem.
-        EXPECT_EQ(disturb(command, {Answer::Kind::fail, EINTR}, read, k).exit_code, 0);
+        succeeded(disturb(command, {Answer::Kind::fail, EINTR}, read, k));
         EXPECT_EQ(in_lines(differences(command.after, state())), "");
     }
 }
@@ -151,10 +151,8 @@ TEST_F(Leftovers, AFolderOfTheReportsPicturesIsRemovedByTheNextRun) {
     for (auto* arguments : {&pdf.arguments, &pdf.again})
         arguments->insert(arguments->end(), {"--set", "output.maps=max_depth", "--set", "output.map-formats=pdf"});
     measure(pdf, k_all);
-    EXPECT_EQ(disturb(pdf, {Answer::Kind::fail, EIO},
-                      [](const SystemCall& call) { return is_of(call, "rmdir", "out/r.partial/report_pictures"); })
-                  .exit_code,
-              0);
+    succeeded(disturb(pdf, {Answer::Kind::fail, EIO},
+                      [](const SystemCall& call) { return is_of(call, "rmdir", "out/r.partial/report_pictures"); }));
     expect_repaired(pdf, pdf.again);
 }
 
@@ -163,7 +161,7 @@ TEST_F(Leftovers, UsersFilesWithSimilarNamesAreKept) {
     const std::vector<std::string> names{"out/r/notes.partial999999.txt", "out/r/manifest.partial.json",
                                          "out/r/manifest.partialcopy.json", "out/r/scene.ini.partial1"};
     for (const std::string& name : names) std::ofstream(at(name)) << "the user's\n";
-    ASSERT_EQ(run({"run", "in/scene.ini", "--out", "out/r", "--quiet", "--resume"}).exit_code, 0);
+    succeeded(run({"run", "in/scene.ini", "--out", "out/r", "--quiet", "--resume"}));
     for (const std::string& name : names) EXPECT_EQ(read_text(at(name)), "the user's\n") << name;
     const Ending refused = run({"run", "in/scene.ini", "--out", "out/r", "--quiet", "--overwrite"});
     EXPECT_EQ(refused.exit_code, 2);

@@ -54,9 +54,4 @@ std::vector<Problem> CheckedScene::refusal(const std::vector<std::string>& words
     return problems;
 }
 
-void expect_words(const std::string& text, const std::vector<std::string>& words) {
-    for (const std::string& word : words)
-        EXPECT_NE(text.find(word), std::string::npos) << "no \"" << word << "\" in:\n" << text;
-}
-
 }  // namespace frana::test

@@ -32,7 +32,4 @@ class CheckedScene : public TinyScene {
     [[nodiscard]] std::vector<Problem> refusal(const std::vector<std::string>& words) const;
 };
 
-/// Fails unless a text has all these words.
-void expect_words(const std::string& text, const std::vector<std::string>& words);
-
 }  // namespace frana::test

@@ -14,6 +14,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <stdexcept>
 #include <thread>
 
 namespace frana::test {
@@ -49,6 +50,29 @@ Outcome run_program(const std::string& folder, const std::vector<std::string>& a
     return outcome;
 }
 
+Outcome succeeded(const Outcome& outcome, const std::source_location& place) {
+    if (outcome.exit_code == 0) return outcome;
+    throw std::runtime_error(std::string(place.file_name()) + ":" + std::to_string(place.line()) + ": exit code " +
+                             std::to_string(outcome.exit_code) + "\n" + outcome.out + outcome.err);
+}
+
+Outcome refusal_of(const Outcome& outcome, const std::vector<std::string>& words, const std::source_location& place) {
+    const ::testing::ScopedTrace trace(place.file_name(), static_cast<int>(place.line()), "refused");
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.out << outcome.err;
+    expect_words(outcome.err, words);
+    return outcome;
+}
+
+std::vector<std::string> with_more(std::vector<std::string> words, const std::vector<std::string>& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+std::vector<std::string> with_sets(std::vector<std::string> words, const std::vector<std::string>& sets) {
+    for (const std::string& one : sets) words.insert(words.end(), {"--set", one});
+    return words;
+}
+
 namespace {
 
 // Returns those nearest the root.
@@ -72,6 +96,16 @@ std::string read_text(const std::string& path) {
     std::stringstream content;
     content << file.rdbuf();
     return content.str();
+}
+
+void expect_words(const std::string& text, const std::vector<std::string>& words) {
+    for (const std::string& word : words)
+        EXPECT_NE(text.find(word), std::string::npos) << "no \"" << word << "\" in:\n" << text;
+}
+
+void expect_no_words(const std::string& text, const std::vector<std::string>& words) {
+    for (const std::string& word : words)
+        EXPECT_EQ(text.find(word), std::string::npos) << '"' << word << "\" in:\n" << text;
 }
 
 Json parse_json(const std::string& text) {

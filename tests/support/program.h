@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <source_location>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,24 @@ struct Outcome {
 /// Runs frana with these arguments in a folder and waits for it. With `signal_after_ms`, sends SIGINT then.
 Outcome run_program(const std::string& folder, const std::vector<std::string>& arguments, int signal_after_ms = 0);
 
+/// Returns the outcome of a call that ended with exit code 0; otherwise throws with what the program said, which fails
+/// and ends the test. A refusal that is expected is compared by its exit code instead.
+Outcome succeeded(const Outcome& outcome, const std::source_location& place = std::source_location::current());
+
+/// Expects that a call was refused with exit code 2 and a message with these words; returns its outcome.
+Outcome refusal_of(const Outcome& outcome, const std::vector<std::string>& words = {},
+                   const std::source_location& place = std::source_location::current());
+
+/// Words of a call with more after them.
+std::vector<std::string> with_more(std::vector<std::string> words, const std::vector<std::string>& more);
+/// The same with `--set` before each of these.
+std::vector<std::string> with_sets(std::vector<std::string> words, const std::vector<std::string>& sets);
+
 std::string read_text(const std::string& path);
+
+/// Fails unless a text has all these words; the other: if it has one of them.
+void expect_words(const std::string& text, const std::vector<std::string>& words);
+void expect_no_words(const std::string& text, const std::vector<std::string>& words);
 
 /// Fails the test if the text is no JSON.
 Json parse_json(const std::string& text);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 
 namespace frana::test {
 namespace {
@@ -67,18 +68,23 @@ void TinyScene::write_dtm(const std::function<double(int, int)>& elevation, bool
     if (with_crs) std::ofstream(projection) << esri_utm_32();
 }
 
-void TinyScene::write_polygon(const std::string& name, const std::vector<std::pair<double, double>>& corners) const {
+void TinyScene::write_features(const std::string& name, const std::vector<TestFeature>& features) const {
     std::ofstream file(folder_ / (name + ".geojson"));
     file.precision(12);
     file
         << R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}},)"
         << R"( "features": [)";
-    if (!corners.empty()) {
-        file
-            << R"({"type": "Feature", "properties": {"depth": 2.0}, "geometry": {"type": "Polygon", "coordinates": [[)";
-        for (const auto& corner : corners)
-            file << '[' << k_west + corner.first << ',' << k_south + corner.second << "],";
-        file << '[' << k_west + corners[0].first << ',' << k_south + corners[0].second << "]]]}}";
+    for (const TestFeature& feature : features) {
+        Places places = feature.places;
+        if (feature.type == "Polygon") places.push_back(places.front());
+        std::ostringstream coordinates;
+        coordinates.precision(12);
+        for (const auto& [x, y] : places)
+            coordinates << (coordinates.tellp() > 0 ? "," : "") << '[' << k_west + x << ',' << k_south + y << ']';
+        const int rings = feature.type == "Point" ? 0 : feature.type == "Polygon" ? 2 : 1;
+        file << (&feature == &features.front() ? "" : ",") << R"({"type": "Feature", "properties": {)"
+             << feature.properties << R"(}, "geometry": {"type": ")" << feature.type << R"(", "coordinates": )"
+             << std::string(rings, '[') << coordinates.str() << std::string(rings, ']') << "}}";
     }
     file << "]}\n";
 }

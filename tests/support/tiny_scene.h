@@ -18,6 +18,21 @@ inline const std::string k_numbers_only = "[output]\nmaps = off\nanimation = off
 // midnight between them.
 inline const std::string k_one_day = "map-date = 2026-11-24\n";
 
+/// Offsets from the DTM's south-western corner [m].
+using Places = std::vector<std::pair<double, double>>;
+inline Places box(double west, double south, double east, double north) {
+    return {{west, south}, {east, south}, {east, north}, {west, north}};
+}
+/// A Point, a LineString or a Polygon, whose ring is closed when it is written; its properties as JSON without braces.
+struct TestFeature {
+    std::string type;
+    Places places;
+    std::string properties = "";
+};
+inline std::string named(const std::string& name) {
+    return "\"name\": \"" + name + '"';
+}
+
 /// A separate folder for every test, with a slope small enough to run in a second: 60 x 30 cells of 5 m in EPSG:32632,
 /// 27 degrees falling east to a flat, a release of 50 m x 40 m near the top.
 class TinyScene : public ::testing::Test {
@@ -30,14 +45,22 @@ class TinyScene : public ::testing::Test {
     /// Writes dtm.asc; `elevation` by row and column (default: the slope), nodata where it returns less than -9000.
     void write_dtm(const std::function<double(int, int)>& elevation = {}, bool with_crs = true,
                    const std::string& name = "dtm.asc") const;
-    /// Writes NAME.geojson in EPSG:32632 with one polygon of these corners (offsets from the DTM's south-western
-    /// corner) and the attribute depth = 2.
-    void write_polygon(const std::string& name, const std::vector<std::pair<double, double>>& corners) const;
+    /// Writes NAME.geojson in EPSG:32632.
+    void write_features(const std::string& name, const std::vector<TestFeature>& features) const;
+    /// The same with one polygon and the attribute depth = 2.
+    void write_polygon(const std::string& name, const Places& corners) const {
+        write_features(name, {{"Polygon", corners, "\"depth\": 2.0"}});
+    }
     /// Writes scene.ini with the minimal keys, and these lines after them. Without an [output] in them nothing is
     /// drawn.
     void write_scene(const std::string& more = "") const;
     [[nodiscard]] Outcome frana(const std::vector<std::string>& arguments, int signal_after_ms = 0) const {
         return run_program(folder_.string(), arguments, signal_after_ms);
+    }
+    /// Runs scene.ini quietly into a result, with these keys; throws unless it succeeds.
+    Outcome ran(const std::string& result = "result", const std::vector<std::string>& sets = {},
+                const std::source_location& place = std::source_location::current()) const {
+        return succeeded(frana(with_sets({"run", "scene.ini", "--out", result, "--quiet"}, sets)), place);
     }
     /// Returns every file below the folder, sorted, as relative paths.
     [[nodiscard]] std::vector<std::string> files() const;

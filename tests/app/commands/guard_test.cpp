@@ -33,11 +33,9 @@ TEST_F(Guard, AbsurdValuesAreRefusedInOnePass) {
                                           "time.end=1e308",
                                           "time.frame-interval=",
                                           "output.map-size=4000000000x4000000000"};
-    std::vector<std::string> arguments{"run", "scene.ini"};
-    for (const std::string& value : values) arguments.insert(arguments.end(), {"--set", value});
+    const std::vector<std::string> arguments = with_sets({"run", "scene.ini"}, values);
     const std::vector<std::string> before = files();
-    const Outcome outcome = frana(arguments);
-    EXPECT_EQ(outcome.exit_code, 2);
+    const Outcome outcome = refusal_of(frana(arguments));
     for (const std::string& value : values) {
         const std::string key = value.substr(0, value.find('='));
         EXPECT_NE(outcome.err.find("--set " + key + ": "), std::string::npos) << key << " in " << outcome.err;
@@ -63,13 +61,11 @@ TEST_F(Guard, TwoRunsDoNotWriteOneResult) {
     int descriptor = -1;
     ASSERT_FALSE(locked(aside, descriptor));
     const std::vector<std::string> before = files();
-    const Outcome second = frana(run);
-    EXPECT_EQ(second.exit_code, 2) << second.err;
-    EXPECT_NE(second.err.find("another run is writing this result now"), std::string::npos) << second.err;
+    refusal_of(frana(run), {"another run is writing this result now"});
     EXPECT_EQ(files(), before);
     // A killed run leaves its folder, not its lock.
     ::close(descriptor);
-    EXPECT_EQ(frana(run).exit_code, 0);
+    succeeded(frana(run));
     EXPECT_TRUE(fs::exists(folder_ / "result" / "summary.json"));
 }
 

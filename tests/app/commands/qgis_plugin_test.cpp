@@ -30,8 +30,7 @@ class QgisPlugin : public TinyScene {
 };
 
 TEST_F(QgisPlugin, IsPutIntoTheDefaultProfileAndReplacedWhole) {
-    const Outcome outcome = frana({"qgis-plugin", "--install"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = succeeded(frana({"qgis-plugin", "--install"}));
     EXPECT_EQ(outcome.out, plugin("default") + "\n");
     int files = 0;
     for (const auto& entry : fs::recursive_directory_iterator(FRANA_SOURCE_DIR "/share/qgis/frana")) {
@@ -46,23 +45,20 @@ TEST_F(QgisPlugin, IsPutIntoTheDefaultProfileAndReplacedWhole) {
 
     write_whole(plugin("default") + "/left_from_an_older_one.py", "");
     write_whole(profile("default") + "/python/plugins/other/metadata.txt", "name=other\n");
-    EXPECT_EQ(frana({"qgis-plugin", "--install", "--profile", "default"}).exit_code, 0);
+    succeeded(frana({"qgis-plugin", "--install", "--profile", "default"}));
     EXPECT_FALSE(fs::exists(plugin("default") + "/left_from_an_older_one.py"));
     EXPECT_FALSE(fs::exists(profile("default") + "/python/frana-plugin.partial"));
     EXPECT_TRUE(fs::exists(profile("default") + "/python/plugins/other/metadata.txt"));
 }
 
 TEST_F(QgisPlugin, AnotherProfileMustExist) {
-    const Outcome missing = frana({"qgis-plugin", "--install", "--profile", "work"});
-    EXPECT_EQ(missing.exit_code, 2);
-    EXPECT_NE(missing.err.find("QGIS has no such profile (value work)"), std::string::npos) << missing.err;
+    refusal_of(frana({"qgis-plugin", "--install", "--profile", "work"}), {"QGIS has no such profile (value work)"});
     EXPECT_FALSE(fs::exists(path("home")));
     fs::create_directories(profile("work"));
-    EXPECT_EQ(frana({"qgis-plugin", "--install", "--profile", "work"}).exit_code, 0);
+    succeeded(frana({"qgis-plugin", "--install", "--profile", "work"}));
     EXPECT_TRUE(fs::exists(plugin("work") + "/metadata.txt"));
-    for (const char* name : {"", "..", "a/b"})
-        EXPECT_EQ(frana({"qgis-plugin", "--install", "--profile", name}).exit_code, 2) << name;
-    EXPECT_EQ(frana({"qgis-plugin"}).exit_code, 2);
+    for (const char* name : {"", "..", "a/b"}) refusal_of(frana({"qgis-plugin", "--install", "--profile", name}));
+    refusal_of(frana({"qgis-plugin"}));
 }
 
 TEST_F(QgisPlugin, AnotherPluginOfThatNameIsLeft) {
@@ -75,7 +71,7 @@ TEST_F(QgisPlugin, AnotherPluginOfThatNameIsLeft) {
 
 // Where a file of the new one cannot be read, the older one stays.
 TEST_F(QgisPlugin, AFailedInstallationLeavesTheOlderOne) {
-    ASSERT_EQ(frana({"qgis-plugin", "--install"}).exit_code, 0);
+    succeeded(frana({"qgis-plugin", "--install"}));
     write_whole(plugin("default") + "/older.py", "");
     write_whole(path("share/materials/x.ini"), "");
     write_whole(path("share/qgis/frana/metadata.txt"), "name=frana\n");

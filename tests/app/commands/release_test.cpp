@@ -15,20 +15,15 @@ class Release : public TinyScene {
         return gis::read_polygons(path(name), "", "layer");
     }
     void expect_refused(const std::vector<std::string>& more, const std::string& words) const {
-        std::vector<std::string> arguments{"release", "dtm.asc"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        const Outcome outcome = frana(arguments);
-        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-        EXPECT_NE(outcome.err.find(words), std::string::npos) << words << outcome.err;
+        refusal_of(frana(with_more({"release", "dtm.asc"}, more)), {words});
         EXPECT_FALSE(std::filesystem::exists(path("release.gpkg"))) << words;
     }
 };
 
 // The slope of TinyScene falls by 1 in 2 over the first 40 columns; the outermost cells have no slope.
 TEST_F(Release, CellsThatFailBecomeALayerThatARunAndARegionTakeAsItIs) {
-    const Outcome outcome = frana({"release", "dtm.asc", "--thickness", "1.5", "--friction-angle", "30", "--saturation",
-                                   "1", "--density", "2000"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = succeeded(frana({"release", "dtm.asc", "--thickness", "1.5", "--friction-angle", "30",
+                                             "--saturation", "1", "--density", "2000"}));
     EXPECT_EQ(outcome.out, "");
     EXPECT_NE(outcome.err.find("a screening, not a prediction"), std::string::npos) << outcome.err;
     const Raster factor = gis::read_result_raster(path("release_factor.tif"));
@@ -47,33 +42,27 @@ TEST_F(Release, CellsThatFailBecomeALayerThatARunAndARegionTakeAsItIs) {
     EXPECT_NEAR(one.numbers.at("mean_factor"), expected * (38 + 0.5 / 0.375) / 39, 1e-12);
     EXPECT_NE(read_text(path("release.gpkg")).find("Screening of possible releases"), std::string::npos);
 
-    ASSERT_EQ(frana({"new", "dtm.asc", "release.gpkg", "--thickness", "attribute:thickness_vertical_m", "--preset",
-                     "debris-flow", "--out", "my.ini", "--region", "region.ini"})
-                  .exit_code,
-              0);
-    const Outcome run = frana({"run", "my.ini", "--out", "run", "--quiet", "--set", "time.end=1", "--set",
-                               "output.maps=off", "--set", "output.animation=off"});
-    ASSERT_EQ(run.exit_code, 0) << run.err;
+    succeeded(frana({"new", "dtm.asc", "release.gpkg", "--thickness", "attribute:thickness_vertical_m", "--preset",
+                     "debris-flow", "--out", "my.ini", "--region", "region.ini"}));
+    const Outcome run = succeeded(frana({"run", "my.ini", "--out", "run", "--quiet", "--set", "time.end=1", "--set",
+                                         "output.maps=off", "--set", "output.animation=off"}));
     const double volume = one.numbers.at("volume_m3");
     EXPECT_NEAR(json_number(read_text(path("run/summary.json")), "volume.initial_m3"), volume, 1e-9 * volume);
-    const Outcome region = frana({"batch", "region.ini", "--out", "region", "--quiet"});
-    ASSERT_EQ(region.exit_code, 0) << region.err;
+    const Outcome region = succeeded(frana({"batch", "region.ini", "--out", "region", "--quiet"}));
     EXPECT_EQ(json_number(read_text(path("region/summary.json")), "finished"), 1);
 }
 
 TEST_F(Release, LimitsOfSlopeAloneServeAvalanches) {
-    ASSERT_EQ(frana({"release", "dtm.asc", "--thickness", "1", "--least-slope", "25", "--greatest-slope", "55", "--out",
-                     "snow.gpkg"})
-                  .exit_code,
-              0);
+    succeeded(frana({"release", "dtm.asc", "--thickness", "1", "--least-slope", "25", "--greatest-slope", "55", "--out",
+                     "snow.gpkg"}));
     EXPECT_EQ(files().size(), 5U) << "no factor without a strength";
     const gis::PolygonLayer areas = layer("snow.gpkg");
     ASSERT_EQ(areas.features.size(), 1U);
     EXPECT_EQ(areas.features[0].numbers.count("least_factor"), 0U);
     // None is an empty layer, in place of an older one.
-    const Outcome none = frana({"release", "dtm.asc", "--thickness", "1", "--least-slope", "25", "--greatest-slope",
-                                "55", "--least-area", "1e6", "--out", "snow.gpkg", "--overwrite"});
-    EXPECT_EQ(none.exit_code, 0) << none.err;
+    const Outcome none =
+        succeeded(frana({"release", "dtm.asc", "--thickness", "1", "--least-slope", "25", "--greatest-slope", "55",
+                         "--least-area", "1e6", "--out", "snow.gpkg", "--overwrite"}));
     EXPECT_NE(none.err.find("areas: 0"), std::string::npos) << none.err;
     EXPECT_EQ(none.err.find("next:"), std::string::npos) << none.err;
 }
@@ -81,16 +70,14 @@ TEST_F(Release, LimitsOfSlopeAloneServeAvalanches) {
 // Soil only in the west, twice as thick in the north; none where the raster has 0.
 TEST_F(Release, ValuesByPlace) {
     write_dtm([](int row, int column) { return column >= 20 ? 0 : row < 15 ? 2.0 : 1.0; }, true, "soil.asc");
-    ASSERT_EQ(frana({"release", "dtm.asc", "--thickness", "raster:soil.asc", "--friction-angle", "20"}).exit_code, 0);
+    succeeded(frana({"release", "dtm.asc", "--thickness", "raster:soil.asc", "--friction-angle", "20"}));
     const gis::PolygonLayer areas = layer();
     ASSERT_EQ(areas.features.size(), 1U);
     EXPECT_EQ(area(areas.features[0].shape.areas), 19 * 28 * 25);
     EXPECT_NEAR(areas.features[0].numbers.at("volume_m3"), 25 * 19 * (14 * 2 + 14), 1e-6);
     EXPECT_NEAR(areas.features[0].numbers.at("thickness_vertical_m"), 1.5, 1e-12);
-    ASSERT_EQ(
-        frana({"release", "dtm.asc", "--thickness", "raster:soil.asc", "--least-slope", "20", "--out", "snow.gpkg"})
-            .exit_code,
-        0);
+    succeeded(
+        frana({"release", "dtm.asc", "--thickness", "raster:soil.asc", "--least-slope", "20", "--out", "snow.gpkg"}));
     ASSERT_EQ(layer("snow.gpkg").features.size(), 1U);
     EXPECT_EQ(area(layer("snow.gpkg").features[0].shape.areas), 19 * 28 * 25);
 }
@@ -126,16 +113,14 @@ TEST_F(Release, PlausibleMistakesAreRefusedWithTheUnit) {
     write_dtm([](int, int) { return 50; }, true, "wet.asc");
     expect_refused(with("--saturation", "raster:wet.asc"), "has a value that is not plausible (value 50");
     expect_refused(with("--saturation", "raster:missing.asc"), "missing.asc");
-    EXPECT_EQ(frana({"release", "nowhere.tif", "--thickness", "1", "--least-slope", "25", "--greatest-slope", "55"})
-                  .exit_code,
-              2);
+    refusal_of(frana({"release", "nowhere.tif", "--thickness", "1", "--least-slope", "25", "--greatest-slope", "55"}));
 }
 
 TEST_F(Release, ReplacesNothingUnasked) {
     write("release_factor.tif", "mine");
     expect_refused({"--thickness", "1", "--friction-angle", "20"}, "release_factor.tif");
     EXPECT_EQ(read_text(path("release_factor.tif")), "mine");
-    EXPECT_EQ(frana({"release", "dtm.asc", "--thickness", "1", "--friction-angle", "20", "--overwrite"}).exit_code, 0);
+    succeeded(frana({"release", "dtm.asc", "--thickness", "1", "--friction-angle", "20", "--overwrite"}));
 }
 
 }  // namespace

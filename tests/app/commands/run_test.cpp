@@ -28,8 +28,7 @@ using RunCommand = TinyScene;
 TEST_F(RunCommand, WritesEveryFileOfTheContract) {
     write_polygon("scar", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
     write_scene("frame-interval = 1\n[output]\nmap-size = 640x480\n[scar]\nperimeter = scar.geojson\n");
-    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = ran();
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(outcome.err, "");
     std::vector<std::string> expected{"scene.ini",
@@ -116,7 +115,7 @@ TEST_F(RunCommand, WritesEveryFileOfTheContract) {
 
 TEST_F(RunCommand, RastersHavePlaceNodataAndTexts) {
     write_scene(k_numbers_only);
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
+    ran();
     GDALAllRegister();
     for (const std::string& name : k_rasters) {
         const GDALDatasetUniquePtr file(GDALDataset::Open(path("result/" + name + ".tif").c_str()));
@@ -138,11 +137,10 @@ TEST_F(RunCommand, RastersHavePlaceNodataAndTexts) {
 
 TEST_F(RunCommand, TheResolvedSceneReproducesTheRunWhateverTheThreads) {
     write_scene("stop-when-still = off\nstop-change = 0\n[numerics]\nparticles-per-cell = 9\n" + k_numbers_only);
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "a", "--quiet", "--threads", "1", "--set", "time.end=3"}).exit_code,
-              0);
+    succeeded(frana({"run", "scene.ini", "--out", "a", "--quiet", "--threads", "1", "--set", "time.end=3"}));
     fs::create_directory(folder_ / "elsewhere");
     fs::copy_file(path("a/scene.ini"), path("elsewhere/again.ini"));
-    ASSERT_EQ(frana({"run", "elsewhere/again.ini", "--out", "b", "--quiet", "--threads", "3"}).exit_code, 0);
+    succeeded(frana({"run", "elsewhere/again.ini", "--out", "b", "--quiet", "--threads", "3"}));
     for (const std::string& name : k_rasters)
         EXPECT_EQ(bits(path("a/" + name + ".tif")), bits(path("b/" + name + ".tif"))) << name;
     EXPECT_EQ(read_text(path("a/timeseries.csv")), read_text(path("b/timeseries.csv")));
@@ -155,7 +153,7 @@ TEST_F(RunCommand, EveryOutputIsTheSameForAnyNumberOfThreadsAndASecondTime) {
     const std::vector<std::string> runs{"1", "2", "3", "7", "1"};
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const std::string result = "result" + std::to_string(i);
-        ASSERT_EQ(frana({"run", "scene.ini", "--out", result, "--quiet", "--threads", runs[i]}).exit_code, 0);
+        succeeded(frana({"run", "scene.ini", "--out", result, "--quiet", "--threads", runs[i]}));
     }
     for (std::size_t i = 1; i < runs.size(); ++i) {
         SCOPED_TRACE(runs[i] + " threads");
@@ -165,25 +163,22 @@ TEST_F(RunCommand, EveryOutputIsTheSameForAnyNumberOfThreadsAndASecondTime) {
 
 TEST_F(RunCommand, AnExistingResultIsKeptWithoutOverwrite) {
     write_scene(k_numbers_only);
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
+    ran();
     write("result/notes.txt", "mine");
     const std::string before = read_text(path("result/summary.json"));
-    const Outcome refused = frana({"run", "scene.ini", "--out", "result"});
-    EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_NE(refused.err.find("--overwrite"), std::string::npos) << refused.err;
+    refusal_of(frana({"run", "scene.ini", "--out", "result"}), {"--overwrite"});
     EXPECT_EQ(read_text(path("result/summary.json")), before);
 
     const std::vector<std::string> overwrite{"run",         "scene.ini", "--out", "result",
                                              "--overwrite", "--quiet",   "--set", "time.end=2"};
-    EXPECT_EQ(frana(overwrite).exit_code, 2) << "a file of the user's is in the way";
+    refusal_of(frana(overwrite));
     EXPECT_EQ(read_text(path("result/notes.txt")), "mine");
     EXPECT_EQ(read_text(path("result/summary.json")), before);
     fs::remove(path("result/notes.txt"));
-    const Outcome replaced = frana(overwrite);
-    EXPECT_EQ(replaced.exit_code, 0) << replaced.err;
+    succeeded(frana(overwrite));
     EXPECT_EQ(json_number(read_text(path("result/summary.json")), "simulated_seconds"), 2);
     // An invalid scene does not remove the older result either.
-    EXPECT_EQ(frana({"run", "scene.ini", "--out", "result", "--overwrite", "--set", "numerics.cfl=9"}).exit_code, 2);
+    refusal_of(frana({"run", "scene.ini", "--out", "result", "--overwrite", "--set", "numerics.cfl=9"}));
     EXPECT_EQ(json_number(read_text(path("result/summary.json")), "simulated_seconds"), 2);
 }
 
@@ -199,9 +194,8 @@ TEST_F(RunCommand, ASignalWritesTheResultSoFar) {
 
 TEST_F(RunCommand, FlowThatLeavesOrStillMovesIsReported) {
     write_scene(k_numbers_only);
-    const Outcome outcome =
-        frana({"run", "scene.ini", "--out", "result", "--set", "terrain.bounds=527000 5094000 527090 5094150"});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = succeeded(
+        frana({"run", "scene.ini", "--out", "result", "--set", "terrain.bounds=527000 5094000 527090 5094150"}));
     EXPECT_NE(outcome.err.find("left the computed ground"), std::string::npos) << outcome.err;
     const std::string summary = read_text(path("result/summary.json"));
     EXPECT_GT(json_number(summary, "left_domain_m3"), 0);
@@ -217,22 +211,18 @@ TEST_F(RunCommand, GroundWithoutElevationStopsWallsOrIsFilled) {
     EXPECT_NE(stopped.err.find("ground without elevation"), std::string::npos) << stopped.err;
     EXPECT_EQ(json_text(read_text(path("stop/summary.json")), "stop_reason"), "reached-no-data");
 
-    const Outcome wall = frana({"run", "scene.ini", "--out", "wall", "--quiet", "--set", "terrain.nodata-policy=wall"});
-    EXPECT_EQ(wall.exit_code, 0) << wall.err;
-    const Outcome fill = frana({"run", "scene.ini", "--out", "fill", "--set", "terrain.nodata-policy=fill"});
-    EXPECT_EQ(fill.exit_code, 0) << fill.err;
+    ran("wall", {"terrain.nodata-policy=wall"});
+    const Outcome fill = succeeded(frana({"run", "scene.ini", "--out", "fill", "--set", "terrain.nodata-policy=fill"}));
     EXPECT_NE(fill.err.find("30 interpolated"), std::string::npos) << fill.err;
 }
 
 TEST_F(RunCommand, PlainMetresWithoutACrs) {
     write_dtm({}, false);
     write_scene("[output]\nmaps = off\nanimation = off\nframes = off\n");
-    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "terrain.crs=local"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    ran("result", {"terrain.crs=local"});
     EXPECT_EQ(json_text(read_text(path("result/summary.json")), "crs"), "local");
     EXPECT_EQ(gis::read_result_raster(path("result/max_depth.tif")).grid.crs_wkt, "");
-    const Outcome drawn = frana({"render", "result", "--map", "max_depth", "--size", "640x480"});
-    EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+    succeeded(frana({"render", "result", "--map", "max_depth", "--size", "640x480"}));
 }
 
 TEST_F(RunCommand, ADtmInDegreesIsComputedInItsUtmZone) {
@@ -244,9 +234,7 @@ TEST_F(RunCommand, ADtmInDegreesIsComputedInItsUtmZone) {
     write("degrees.asc", grid);
     write_polygon("perimeter", {{20, 55}, {70, 55}, {70, 95}, {20, 95}});
     write_scene(k_numbers_only);
-    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "terrain.dtm=degrees.asc",
-                                   "--set", "terrain.dtm-crs=EPSG:4326"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    ran("result", {"terrain.dtm=degrees.asc", "terrain.dtm-crs=EPSG:4326"});
     const std::string summary = read_text(path("result/summary.json"));
     EXPECT_NE(json_text(summary, "crs").find("EPSG:32632"), std::string::npos);
     // 2000 m2 of 2 m; the outline does not follow the cells, so the lattice is clipped by it: a lattice square is
@@ -259,7 +247,7 @@ TEST_F(RunCommand, AFullDiskLeavesTheOlderResultAndNothingElse) {
     GTEST_SKIP() << "ThreadSanitizer writes a larger file of its own before the program begins";
 #endif
     write_scene(k_numbers_only);
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
+    ran();
     const std::vector<std::string> before = files();
     // The limit of the shell's ulimit (blocks of 512 or 1024 bytes) simulates a full disk.
     const int status = std::system(("cd '" + folder_.string() +
@@ -278,9 +266,7 @@ TEST_F(RunCommand, ThicknessInItsFourFormsReleasesTheSameVolume) {
     int number = 0;
     for (const std::string thickness : {"2", "attribute:depth", "raster:two.asc", "difference:before.asc,after.asc"}) {
         std::string out = std::to_string(number++);
-        const Outcome outcome = frana({"run", "scene.ini", "--out", out, "--quiet", "--set",
-                                       "release.thickness=" + thickness, "--set", "time.end=0.1"});
-        ASSERT_EQ(outcome.exit_code, 0) << thickness << ": " << outcome.err;
+        ran(out, {"release.thickness=" + thickness, "time.end=0.1"});
         // 50 m x 40 m x 2 m, filled except for rounding
         EXPECT_NEAR(json_number(read_text(path(out + "/summary.json")), "initial_m3"), 4000, 1e-6) << thickness;
     }
@@ -293,8 +279,7 @@ TEST_F(RunCommand, ErosionAndOtherLawsAreReportedAndRepeatable) {
                 "pore-dissipation-time = 30\n[numerics]\ncurvature = on\n"
                 "[entrainment]\nerosion = growth\ngrowth-rate = 0.005\nerodible-depth = 0.5\n"
                 "deposition = on\ndeposition-rate = 0.01\ndeposition-shear-stress = 2000\n");
-    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    ran();
     const std::string summary = read_text(path("result/summary.json"));
     for (const std::string key : {"eroded_m3", "deposited_m3", "unsupported_node_steps"})
         EXPECT_TRUE(json_has(summary, key)) << key;
@@ -302,8 +287,7 @@ TEST_F(RunCommand, ErosionAndOtherLawsAreReportedAndRepeatable) {
          {"cohesion at the bed", "pore pressure that dissipates", "curvature of the bed", "exponential growth"})
         EXPECT_TRUE(json_lists(summary, "terms", words)) << words;
     EXPECT_NE(read_text(path("result/log.txt")).find("the flow eroded"), std::string::npos);
-    const Outcome again = frana({"run", "result/scene.ini", "--out", "again", "--quiet"});
-    ASSERT_EQ(again.exit_code, 0) << again.err;
+    const Outcome again = succeeded(frana({"run", "result/scene.ini", "--out", "again", "--quiet"}));
     for (const std::string name : {"eroded_depth.tif", "deposited_depth.tif"})
         EXPECT_GT(fs::file_size(path("result/" + name)), 0U) << name;
     EXPECT_EQ(json_value(summary, "volume"), json_value(read_text(path("again/summary.json")), "volume"));
@@ -322,11 +306,10 @@ TEST_F(RunCommand, ErosionAndOtherLawsAreReportedAndRepeatable) {
 // By finite volumes friction stops at the edge of a deposit within the step what comes to it: it came at some speed. Of
 // these cells 25 had none, up to 1 m deep, and so no pressure.
 TEST_F(RunCommand, WhateverIsCoveredWasReachedAtSomeSpeed) {
-    const Outcome outcome = frana({"run", FRANA_SOURCE_DIR "/sample_data/fan/scene.ini", "--out", "result", "--quiet",
-                                   "--set", "numerics.scheme=finite-volume", "--set", "terrain.cell-size=10", "--set",
-                                   "output.maps=off", "--set", "output.report=off", "--set",
-                                   "release.perimeter-filter=SCENARIO = 'T300'", "--set", "release.volume=20000"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(frana({"run", FRANA_SOURCE_DIR "/sample_data/fan/scene.ini", "--out", "result", "--quiet", "--set",
+                     "numerics.scheme=finite-volume", "--set", "terrain.cell-size=10", "--set", "output.maps=off",
+                     "--set", "output.report=off", "--set", "release.perimeter-filter=SCENARIO = 'T300'", "--set",
+                     "release.volume=20000"}));
     const Raster depth = gis::read_result_raster(path("result/max_depth.tif")),
                  speed = gis::read_result_raster(path("result/max_velocity.tif"));
     int covered = 0;

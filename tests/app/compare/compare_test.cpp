@@ -16,9 +16,8 @@ TEST_F(Compare, AForeignRasterAgainstAnOutline) {
     write_dtm([](int row, int column) { return row >= 10 && row < 20 && column >= 4 && column < 14 ? 1.0 : -9999.0; },
               true, "depth.asc");
     write_polygon("scar", {{45, 50}, {95, 50}, {95, 100}, {45, 100}});  // half of it, and as much outside
-    const Outcome outcome = frana({"compare", "--json", "depth.asc", "--scar", "scar.geojson", "--threshold", "0.5",
-                                   "--out", "scores", "--size", "640x480"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = succeeded(frana({"compare", "--json", "depth.asc", "--scar", "scar.geojson", "--threshold",
+                                             "0.5", "--out", "scores", "--size", "640x480"}));
     EXPECT_EQ(parse_json(outcome.out).at("comparison"), parse_json(read_text(path("scores/comparison.json"))));
     EXPECT_EQ(json_number(outcome.out, "hit_m2"), 1250);
     EXPECT_EQ(json_number(outcome.out, "false_alarm_m2"), 1250);
@@ -34,9 +33,8 @@ TEST_F(Compare, AForeignRasterAgainstAnOutline) {
 TEST_F(Compare, AScarBeyondTheGridCountsAsMissed) {
     write_dtm([](int, int) { return 1.0; }, true, "depth.asc");
     write_polygon("scar", {{200, 0}, {400, 0}, {400, 150}, {200, 150}});  // 100 m on the grid, 100 m beyond
-    const Outcome outcome =
-        frana({"compare", "--json", "depth.asc", "--scar", "scar.geojson", "--out", "scores", "--size", "640x480"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = succeeded(
+        frana({"compare", "--json", "depth.asc", "--scar", "scar.geojson", "--out", "scores", "--size", "640x480"}));
     EXPECT_EQ(json_number(outcome.out, "observed_area_m2"), 200 * 150);
     EXPECT_EQ(json_number(outcome.out, "miss_m2"), 100 * 150);
     EXPECT_NE(outcome.err.find("beyond the rasters"), std::string::npos) << outcome.err;
@@ -48,25 +46,24 @@ TEST_F(Compare, ARunWhoseOutlineReachesBeyondItsGroundIsFinished) {
     write_scene(
         "[terrain]\nbounds = 527000 5094000 527150 5094150\n[output]\nanimation = off\nframes = off\n"
         "[observed]\nperimeter = scar.geojson\n");
-    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    ran();
     EXPECT_TRUE(json_lists(read_text(path("result/summary.json")), "warnings", "beyond the rasters"));
     for (const char* file : {"result/comparison.png", "result/report.html"})
         EXPECT_TRUE(std::filesystem::exists(path(file))) << file;
     EXPECT_EQ(json_number(read_text(path("result/comparison.json")), "observed_area_m2"), 230 * 110);
-    EXPECT_EQ(frana({"render", "result", "--map", "comparison", "--out", "again", "--size", "640x480"}).exit_code, 0);
+    succeeded(frana({"render", "result", "--map", "comparison", "--out", "again", "--size", "640x480"}));
 }
 
 TEST_F(Compare, AResultAgainstAnOutlineInAnotherCrs) {
     write_scene(k_numbers_only);
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
+    ran();
     // Around the release, in degrees: a few hundredths of a square kilometre, any overlap shows that the transformation
     // works.
     write("scar.geojson",
           R"({"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [[)"
           R"([9.3485, 45.9995], [9.3525, 45.9995], [9.3525, 46.0025], [9.3485, 46.0025], [9.3485, 45.9995]]]}})");
-    const Outcome outcome = frana({"compare", "--json", "result", "--scar", "scar.geojson", "--size", "640x480"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome =
+        succeeded(frana({"compare", "--json", "result", "--scar", "scar.geojson", "--size", "640x480"}));
     EXPECT_GT(json_number(outcome.out, "hit_m2"), 0);
     EXPECT_EQ(json_number(outcome.out, "threshold_m"), 0.1);  // the result's own trace threshold
     EXPECT_TRUE(std::filesystem::exists(path("result/comparison.json")));
@@ -75,10 +72,8 @@ TEST_F(Compare, AResultAgainstAnOutlineInAnotherCrs) {
 TEST_F(Compare, ClassesDifferInLightnessForPrintsWithoutColours) {
     write_dtm([](int, int) { return 1.0; }, true, "depth.asc");
     write_polygon("scar", {{200, 0}, {280, 0}, {280, 150}, {200, 150}});
-    ASSERT_EQ(
-        frana({"compare", "--json", "depth.asc", "--scar", "scar.geojson", "--out", "scores", "--size", "640x480"})
-            .exit_code,
-        0);
+    succeeded(
+        frana({"compare", "--json", "depth.asc", "--scar", "scar.geojson", "--out", "scores", "--size", "640x480"}));
     const std::vector<gis::NamedClass> classes = gis::read_raster_text(path("scores/comparison.tif")).classes;
     ASSERT_EQ(classes.size(), 3U);
     std::vector<double> tones;  // Rec. 601 luma, of 255
@@ -92,9 +87,7 @@ TEST_F(Compare, ClassesDifferInLightnessForPrintsWithoutColours) {
 
 TEST_F(Compare, MissingScarFile) {
     write_dtm([](int, int) { return 1.0; }, true, "depth.asc");
-    const Outcome outcome = frana({"compare", "--json", "depth.asc", "--scar", "none.shp", "--out", "scores"});
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_NE(outcome.err.find("none.shp"), std::string::npos) << outcome.err;
+    refusal_of(frana({"compare", "--json", "depth.asc", "--scar", "none.shp", "--out", "scores"}), {"none.shp"});
     EXPECT_FALSE(std::filesystem::exists(path("scores")));
 }
 
@@ -106,27 +99,15 @@ class CompareSquare : public TinyScene {
             [](int row, int column) { return row >= 10 && row < 20 && column >= 4 && column < 14 ? 1.0 : -9999.0; },
             true, "depth.asc");
     }
-    void write_lines(const std::string& name, const std::string& type, const std::string& coordinates) const {
-        write(
-            name,
-            R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [{"type": "Feature", "properties": {"name": "f"}, "geometry": {"type": ")" +
-                type + R"(", "coordinates": )" + coordinates + "}}]}");
-    }
-    [[nodiscard]] static std::string place(double x, double y) {
-        return "[" + std::to_string(k_west + x) + "," + std::to_string(k_south + y) + "]";
-    }
     [[nodiscard]] Outcome compare(std::vector<std::string> more) const {
-        std::vector<std::string> arguments{"compare", "--json", "depth.asc", "--overwrite",
-                                           "--out",   "scores", "--size",    "640x480"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        return frana(arguments);
+        return frana(
+            with_more({"compare", "--json", "depth.asc", "--overwrite", "--out", "scores", "--size", "640x480"}, more));
     }
 };
 
 TEST_F(CompareSquare, OutlineDistancesOfASquareShiftedByHalf) {
     write_polygon("scar", {{45, 50}, {95, 50}, {95, 100}, {45, 100}});
-    const Outcome outcome = compare({"--scar", "scar.geojson"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = succeeded(compare({"--scar", "scar.geojson"}));
     // Squares of 50 m, 25 m apart. For each outline: the far side is 25 m away (50 m of it); of the two sides along the
     // shift, the half covered by the other square is 0 m away, the other half 0 to 25, at 2.5, 7.5 ... 22.5 m (samples
     // of 5 m); the near side is inside the other square, 25 m from its edge except near the corners: min(25, distance
@@ -144,24 +125,21 @@ TEST_F(CompareSquare, OutlineDistancesOfASquareShiftedByHalf) {
 
 TEST_F(CompareSquare, AFrontAndATip) {
     // A front 15 m beyond the eastern edge, and a point 10 m inside it.
-    write_lines("front.geojson", "LineString", "[" + place(85, 60) + "," + place(85, 90) + "]");
-    const Outcome front = compare({"--scar", "front.geojson"});
-    ASSERT_EQ(front.exit_code, 0) << front.err;
+    write_features("front", {{"LineString", {{85, 60}, {85, 90}}, named("f")}});
+    const Outcome front = succeeded(compare({"--scar", "front.geojson"}));
     EXPECT_NEAR(json_number(front.out, "mean_signed_m"), -15, 1e-9);
     EXPECT_NEAR(json_number(front.out, "hausdorff_m"), 15, 1e-9);
     EXPECT_EQ(json_number(front.out, "reached_percent"), 0);
     EXPECT_TRUE(json_value(front.out, "jaccard").is_null());
     EXPECT_FALSE(std::filesystem::exists(path("scores/comparison.tif")));
-    write_lines("tip.geojson", "Point", place(60, 75));
-    const Outcome tip = compare({"--scar", "tip.geojson"});
-    ASSERT_EQ(tip.exit_code, 0) << tip.err;
+    write_features("tip", {{"Point", {{60, 75}}, named("f")}});
+    const Outcome tip = succeeded(compare({"--scar", "tip.geojson"}));
     EXPECT_NEAR(json_number(tip.out, "distance_m"), 10, 1e-9);
 }
 
 TEST_F(CompareSquare, AnOpenLineThatCrossesTheEdgeIsHalfReached) {
-    write_lines("front.geojson", "LineString", "[" + place(50, 75) + "," + place(90, 75) + "]");
-    const Outcome outcome = compare({"--scar", "front.geojson"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    write_features("front", {{"LineString", {{50, 75}, {90, 75}}, named("f")}});
+    const Outcome outcome = succeeded(compare({"--scar", "front.geojson"}));
     EXPECT_NEAR(json_number(outcome.out, "reached_percent"), 50, 1e-9);
     EXPECT_NEAR(json_number(outcome.out, "mean_signed_m"), 0, 1e-9);
     // Samples every 5 m: 2.5, 7.5, 12.5 and 17.5 m on either side.
@@ -171,11 +149,7 @@ TEST_F(CompareSquare, AnOpenLineThatCrossesTheEdgeIsHalfReached) {
 TEST_F(CompareSquare, OneResultIsComparedWithOneSurvey) {
     for (const std::vector<std::string>& more : {std::vector<std::string>{"depth.asc", "--scar", "scar.geojson"},
                                                  {"--scar", "scar.geojson", "--observed", "other.geojson"}}) {
-        std::vector<std::string> words{"compare", "depth.asc"};
-        words.insert(words.end(), more.begin(), more.end());
-        const Outcome outcome = frana(words);
-        EXPECT_EQ(outcome.exit_code, 2);
-        EXPECT_NE(outcome.err.find("`frana calibrate` finds"), std::string::npos) << outcome.err;
+        refusal_of(frana(with_more({"compare", "depth.asc"}, more)), {"`frana calibrate` finds"});
     }
 }
 
@@ -183,21 +157,18 @@ TEST_F(Compare, AnotherSurveyReplacesNoComparisonUnasked) {
     write_polygon("first", {{20, 40}, {90, 40}, {90, 110}, {20, 110}});
     write_polygon("second", {{20, 40}, {60, 40}, {60, 110}, {20, 110}});
     write_scene(k_numbers_only + "[observed]\nperimeter = first.geojson\n");
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "a", "--quiet"}).exit_code, 0);
+    ran("a");
     const std::string before = read_text(path("a/comparison.json"));
     std::vector<std::string> words{"compare", "a", "--observed", "second.geojson", "--size", "640x480"};
-    const Outcome refused = frana(words);
-    EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_NE(refused.err.find("contains the comparison with another survey"), std::string::npos) << refused.err;
+    refusal_of(frana(words), {"contains the comparison with another survey"});
     EXPECT_EQ(read_text(path("a/comparison.json")), before);
-    EXPECT_EQ(frana({"compare", "a", "--observed", "first.geojson", "--size", "640x480"}).exit_code, 0);
+    succeeded(frana({"compare", "a", "--observed", "first.geojson", "--size", "640x480"}));
     words.insert(words.end(), {"--out", "b"});
-    EXPECT_EQ(frana(words).exit_code, 0);
+    succeeded(frana(words));
     EXPECT_EQ(read_text(path("a/comparison.json")).find("second"), std::string::npos);
     words.resize(words.size() - 2);
     words.emplace_back("--overwrite");
-    const Outcome replaced = frana(words);
-    EXPECT_EQ(replaced.exit_code, 0) << replaced.err;
+    const Outcome replaced = succeeded(frana(words));
     EXPECT_NE(read_text(path("a/comparison.json")).find("second"), std::string::npos);
     // Both areas are known: the difference has their sign.
     const Json scores = parse_json(read_text(path("a/comparison.json")));
@@ -210,7 +181,7 @@ TEST_F(Compare, AnotherSurveyReplacesNoComparisonUnasked) {
 
 TEST_F(Compare, ADepositAgainstAnElevationDifference) {
     write_scene(k_numbers_only);
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
+    ran();
     // The survey is half of the result's own change: at this low threshold both rise on the same cells.
     const Raster left = gis::read_result_raster(path("result/final_depth.tif")),
                  gone = gis::read_result_raster(path("result/release.tif"));
@@ -219,9 +190,8 @@ TEST_F(Compare, ADepositAgainstAnElevationDifference) {
     };
     write_dtm([&](int row, int column) { return (or_zero(left, row, column) - or_zero(gone, row, column)) / 2; }, true,
               "change.asc");
-    const Outcome outcome =
-        frana({"compare", "--json", "result", "--deposit", "change.asc", "--threshold", "0.004", "--out", "d"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = succeeded(
+        frana({"compare", "--json", "result", "--deposit", "change.asc", "--threshold", "0.004", "--out", "d"}));
     EXPECT_EQ(json_number(outcome.out, "deposit.jaccard"), 1);
     const auto depth_error = [&](const std::string& key) {
         return json_number(outcome.out, "deposit.depth_error." + key);
@@ -235,10 +205,9 @@ TEST_F(Compare, ADepositAgainstAnElevationDifference) {
 
 TEST_F(Compare, AResultAgainstItsOwnTraceIsPerfectAlongThePathToo) {
     write_scene(k_numbers_only);
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
-    const Outcome outcome =
-        frana({"compare", "--json", "result", "--scar", "result/extent.gpkg|layer=trace", "--size", "640x480"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    ran();
+    const Outcome outcome = succeeded(
+        frana({"compare", "--json", "result", "--scar", "result/extent.gpkg|layer=trace", "--size", "640x480"}));
     EXPECT_EQ(json_number(outcome.out, "jaccard"), 1);
     EXPECT_EQ(json_number(outcome.out, "runout_difference_m"), 0);
     EXPECT_EQ(json_number(outcome.out, "difference_m"), 0);

@@ -96,10 +96,7 @@ TEST_F(GroundDoubts, CopiedCellsAreToldWithTheirFactorAndFranasOwnResamplingIsRi
     EXPECT_EQ(doubts(), "");
     write_grid("coarse", 30, bed);
     const auto run = [&](const std::string& name, const std::vector<std::string>& more) {
-        std::vector<std::string> arguments{"run", "bed.ini", "--out", name, "--quiet"};
-        for (const std::string& one : more) arguments.insert(arguments.end(), {"--set", one});
-        const Outcome outcome = frana(arguments);
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        succeeded(frana(with_sets({"run", "bed.ini", "--out", name, "--quiet"}, more)));
     };
     run("right", {});
     const std::vector<std::string> finer{"terrain.dtm=coarse.asc", "terrain.cell-size=10"};
@@ -116,8 +113,7 @@ TEST_F(GroundDoubts, CopiedCellsAreToldWithTheirFactorAndFranasOwnResamplingIsRi
     expect_words(read_text(path("copied/report.html")), {"copied cells (3 x 3)"});
     // What passes on without the log carries it, too; those of a study as well.
     write("study.ini", "[study]\nscene = bed.ini\nsamples = 2\n[vary]\nmaterial.friction-angle = uniform(19, 21)\n");
-    const Outcome study = frana({"ensemble", "study.ini", "--out", "study", "--quiet"});
-    EXPECT_EQ(study.exit_code, 0) << study.err;
+    const Outcome study = succeeded(frana({"ensemble", "study.ini", "--out", "study", "--quiet"}));
     for (const std::string raster : {"copied/max_depth.tif", "study/probability_depth_0.5.tif"})
         expect_words(gis::read_raster_text(path(raster)).metadata["DOUBTS"], {"% copied cells"});
     for (const std::string result : {"copied", "study"}) {

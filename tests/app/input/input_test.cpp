@@ -40,8 +40,7 @@ TEST_F(Input, CheckPrintsThemAsOneTable) {
           R"("urn:ogc:def:crs:EPSG::3003"}}, "features": [{"type": "Feature", "properties": {}, "geometry": )"
           R"({"type": "Polygon", "coordinates": [[[1527048, 5094076], [1527098, 5094076], [1527098, 5094116], )"
           R"([1527048, 5094076]]]}}]})");
-    const Outcome outcome = frana({"check", "scene.ini", "--set", "scar.perimeter=scar.geojson"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = succeeded(frana({"check", "scene.ini", "--set", "scar.perimeter=scar.geojson"}));
     expect_words(outcome.out, {"Input",
                                "CRS",
                                "Extent (west south, east north)",
@@ -74,13 +73,9 @@ TEST_F(Input, CheckPrintsThemAsOneTable) {
 
 TEST_F(Input, TheLogStatesOperationsAndResampling) {
     write_scene(k_numbers_only);
-    const Outcome outcome = frana(
-        {"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=0.1", "--set", "terrain.cell-size=2"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    ran("result", {"time.end=0.1", "terrain.cell-size=2"});
     expect_words(read_text(path("result/log.txt")), {"resampling bilinear"});
-    const Outcome averaged = frana({"run", "scene.ini", "--out", "coarse", "--quiet", "--set", "time.end=0.1", "--set",
-                                    "terrain.crs=EPSG:3003", "--set", "terrain.cell-size=10"});
-    ASSERT_EQ(averaged.exit_code, 0) << averaged.err;
+    ran("coarse", {"time.end=0.1", "terrain.crs=EPSG:3003", "terrain.cell-size=10"});
     expect_words(read_text(path("coarse/log.txt")), {"resampling average", "DTM transformed by:", "Monte Mario",
                                                      "accuracy 4 m", "perimeter transformed by:"});
     // Austria's system in Italy: no survey connects them there, and PROJ leaves the datum unchanged.
@@ -159,13 +154,9 @@ TEST_F(Input, ArchivesCountFromTheScene) {
 }
 
 TEST_F(Input, AFilterChoosesFeatures) {
-    write("two.geojson",
-          R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": )"
-          R"("urn:ogc:def:crs:EPSG::32632"}}, "features": [)"
-          R"({"type": "Feature", "properties": {"kind": "release"}, "geometry": {"type": "Polygon", "coordinates": )"
-          R"([[[527020, 5094055], [527070, 5094055], [527070, 5094095], [527020, 5094055]]]}},)"
-          R"({"type": "Feature", "properties": {"kind": "deposit"}, "geometry": {"type": "Polygon", "coordinates": )"
-          R"([[[527220, 5094055], [527270, 5094055], [527270, 5094095], [527220, 5094055]]]}}]})");
+    const auto triangle = [](double west) { return Places{{west, 55}, {west + 50, 55}, {west + 50, 95}}; };
+    write_features(
+        "two", {{"Polygon", triangle(20), R"("kind": "release")"}, {"Polygon", triangle(220), R"("kind": "deposit")"}});
     const Checked checked = check({"release.perimeter=two.geojson", "release.perimeter-filter=kind = 'release'"});
     ASSERT_FALSE(checked.is_refused()) << checked.told();
     EXPECT_EQ(checked.prepared->scene.release.size(), 1U);
@@ -193,10 +184,8 @@ TEST_P(AcrossASeam, ASceneIsOnePiece) {
     write("degrees.asc", slope_grid(seam.grid, 80, 60, 2));
     write("seam.geojson", polygon_geojson(seam.rings));
     write_scene(k_numbers_only);
-    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=0.1", "--set",
-                                   "terrain.dtm=degrees.asc", "--set", "terrain.dtm-crs=EPSG:4326", "--set",
-                                   "release.perimeter=seam.geojson"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    ran("result",
+        {"time.end=0.1", "terrain.dtm=degrees.asc", "terrain.dtm-crs=EPSG:4326", "release.perimeter=seam.geojson"});
     const std::string summary = read_text(path("result/summary.json"));
     EXPECT_NE(json_text(summary, "crs").find(seam.zone), std::string::npos) << summary;
     // 2 m thick; areas below are to a part in a thousand, UTM's scale included.
@@ -233,11 +222,9 @@ TEST_F(Input, InputsLeaveTheirFolderUnchanged) {
         "terrain.dtm=in/dtm.asc", "release.perimeter=in/a.gml", "scar.perimeter=in/a.gpkg", "scar.deposit=in/a.shp",
         "output.maps=off",        "output.animation=off",       "output.frames=off"};
     for (const std::string command : {"check", "run"}) {
-        std::vector<std::string> arguments{command, "scene.ini"};
-        for (const std::string& key : keys) arguments.insert(arguments.end(), {"--set", key});
+        std::vector<std::string> arguments = with_sets({command, "scene.ini"}, keys);
         if (command == "run") arguments.insert(arguments.end(), {"--out", path("result")});
-        const Outcome outcome = frana(arguments);
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        succeeded(frana(arguments));
         std::filesystem::remove_all(folder_ / "result");
         EXPECT_EQ(files(), before) << command;
     }
@@ -273,8 +260,7 @@ TEST_F(Input, OfAHugeDtmOnlyTheNeededPartIsRead) {
         std::vector<std::string> scene{
             "check", "scene.ini", "--set", "terrain.dtm=huge.tif", "--set", "material.friction-angle=20"};
         if (!bounds.empty()) scene.insert(scene.end(), {"--set", "terrain.bounds=" + bounds});
-        const Outcome outcome = frana(scene);
-        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        const Outcome outcome = succeeded(frana(scene));
         // The limit of 500 MB, for everything up to the engine; it includes the engine's trial by check.
         if (!k_sanitized) {
             EXPECT_LT(outcome.peak_memory_bytes, 500e6) << bounds;
@@ -282,10 +268,7 @@ TEST_F(Input, OfAHugeDtmOnlyTheNeededPartIsRead) {
         expect_words(outcome.out, {"20 000 x 20 000"});
     }
     write_scene(k_numbers_only);
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=0.1", "--set",
-                     "terrain.dtm=huge.tif", "--set", "material.friction-angle=20", "--set", "output.extent=map"})
-                  .exit_code,
-              0);
+    ran("result", {"time.end=0.1", "terrain.dtm=huge.tif", "material.friction-angle=20", "output.extent=map"});
     EXPECT_EQ(gis::read_result_raster(path("result/dtm.tif")).grid.columns, 20'000);
     expect_words(read_text(path("result/log.txt")), {"elevations are read where the release lies"});
 }

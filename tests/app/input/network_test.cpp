@@ -67,8 +67,7 @@ TEST_F(Network, NoPathLeadsThereUnlessAllowed) {
     for (const std::string& key : keys) {
         const Checked checked = check({key});
         EXPECT_TRUE(checked.is_refused()) << key;
-        EXPECT_NE(checked.told().find("read over the network"), std::string::npos) << key << checked.told();
-        EXPECT_NE(checked.told().find("--allow-network"), std::string::npos) << key << checked.told();
+        expect_words(checked.told(), {"read over the network", "--allow-network"});
         EXPECT_EQ(server.calls(), 0) << key;
     }
 }
@@ -97,9 +96,7 @@ TEST_F(Network, NoVectorFileLeadsThereUnlessAllowed) {
         const Checked checked = check({"release.perimeter=" + file});
         EXPECT_EQ(server.calls(), 0) << file;
         EXPECT_TRUE(checked.is_refused()) << file;
-        EXPECT_NE(checked.told().find("on the network"), std::string::npos) << file << checked.told();
-        EXPECT_NE(checked.told().find(file.substr(file.rfind('/') + 1)), std::string::npos) << checked.told();
-        EXPECT_NE(checked.told().find("--allow-network"), std::string::npos) << file << checked.told();
+        expect_words(checked.told(), {"on the network", file.substr(file.rfind('/') + 1), "--allow-network"});
     }
     // Files of other keys use the same filter; so do lines and points.
     for (const std::string key : {"scar.perimeter=", "scar.front=", "output.profiles=", "terrain.walls="}) {
@@ -137,8 +134,7 @@ TEST_F(Network, NoRasterLeadsThereUnlessAllowed) {
     }
     for (const std::string file : {"curl.vrt", "inner.vrt"}) {
         const std::string messages = frana({"check", "scene.ini", "--set", "terrain.dtm=" + file}).err;
-        EXPECT_NE(messages.find("on the network"), std::string::npos) << file << messages;
-        EXPECT_NE(messages.find("--allow-network"), std::string::npos) << file << messages;
+        expect_words(messages, {"on the network", "--allow-network"});
     }
 }
 
@@ -156,8 +152,7 @@ TEST_F(Network, IsReachedWhereItIsAllowed) {
                                         "terrain.dtm=/vsicurl/" + server.url() + "/dtm.asc"};
     for (const std::string& key : keys) {
         const int before = server.calls();
-        const Outcome outcome = frana({"check", "scene.ini", "--allow-network", "--set", key});
-        EXPECT_EQ(outcome.exit_code, 0) << key << outcome.err;
+        succeeded(frana({"check", "scene.ini", "--allow-network", "--set", key}));
         EXPECT_GT(server.calls(), before) << key;
     }
 }

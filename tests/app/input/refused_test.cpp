@@ -74,40 +74,24 @@ class Refused : public CheckedScene {
         write_dtm({}, true, "a #b/dtm.asc");
         EXPECT_EQ(::mkfifo(path("fifo").c_str(), 0600), 0);
     }
-    /// Features of EPSG:32632 whose coordinates and properties are JSON.
-    void write_features(const std::string& name, const std::string& type,
-                        const std::vector<std::pair<std::string, std::string>>& features) const {
-        std::string text =
-            R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
-            R"("features":[)";
-        for (const auto& [coordinates, properties] : features)
-            text +=
-                (text.ends_with('[') ? R"({"type":"Feature","properties":{)" : R"(,{"type":"Feature","properties":{)") +
-                properties + R"(},"geometry":{"type":")" + type + R"(","coordinates":)" + coordinates + "}}";
-        write(name, text + "]}");
-    }
     /// The whole height of the map between two eastings.
-    static std::string strip(double west, double east) {
-        const auto corner = [](double x, double y) {
-            return "[" + std::to_string(k_west + x) + "," + std::to_string(k_south + y) + "]";
-        };
-        return "[[" + corner(west, 5) + "," + corner(east, 5) + "," + corner(east, 145) + "," + corner(west, 145) +
-               "," + corner(west, 5) + "]]";
+    static TestFeature strip(double west, double east, const std::string& properties) {
+        return {"Polygon", box(west, 5, east, 145), properties};
     }
     void write_places() const {
-        write_features("line.geojson", "LineString", {{"[[527030,5094060],[527030,5094090]]", ""}});
-        write_features("far_line.geojson", "LineString", {{"[[527030,5094060],[527030,5094990]]", ""}});
+        write_features("line", {{"LineString", {{30, 60}, {30, 90}}}});
+        write_features("far_line", {{"LineString", {{30, 60}, {30, 990}}}});
+        write_features("exposed", {{"Point", {{92, 73}}, R"("what": "house", "people": 7)"}});
         write_polygon("zone", {{100, 10}, {200, 10}, {200, 140}, {100, 140}});
         write_polygon("half", {{100, 10}, {400, 10}, {400, 140}, {100, 140}});
         write_polygon("house", {{30, 60}, {50, 60}, {50, 80}, {30, 80}});
         write_polygon("far", {{1020, 55}, {1070, 55}, {1070, 95}});
         write_polygon("crossing", {{20, 55}, {70, 95}, {70, 55}, {20, 95}});
-        write_features("halves.geojson", "Polygon",
-                       {{strip(0, 45), R"("c": 0, "alpha": 0.4)"}, {strip(45, 90), R"("c": 1e6, "alpha": 0.6)"}});
-        write_features("west.geojson", "Polygon", {{strip(0, 45), R"("c": 1e4)"}});
-        write_features("partly.geojson", "Polygon",
-                       {{strip(0, 30), R"("c": 1e4)"}, {strip(30, 60), R"("c": null)"}, {strip(60, 90), R"("d": 1)"}});
-        write_features("mu.geojson", "Polygon", {{strip(0, 300), R"("mu": 1.2)"}});
+        write_features("halves", {strip(0, 45, R"("c": 0, "alpha": 0.4)"), strip(45, 90, R"("c": 1e6, "alpha": 0.6)")});
+        write_features("west", {strip(0, 45, R"("c": 1e4)")});
+        write_features("partly",
+                       {strip(0, 30, R"("c": 1e4)"), strip(30, 60, R"("c": null)"), strip(60, 90, R"("d": 1)")});
+        write_features("mu", {strip(0, 300, R"("mu": 1.2)")});
         const std::string square =
             "\"POLYGON((527100 5094010,527200 5094010,527200 5094140,527100 5094140,527100 5094010))\"";
         write("phi.csv", "WKT,phi\n" + square + ",0.32\n");
@@ -147,6 +131,10 @@ class Refused : public CheckedScene {
         write("hours.csv", "time,discharge_m3/h\n0,1\n3,7\n");
         write("knots.csv", "time,discharge,velocity_kn\n0,1,1\n3,7,1\n");
         write("late.csv", "time,discharge\n5,1\n9,2\n");
+        write("rain_ends.csv", "time,raster\n0,one.asc\n");
+        write("rain_lost.csv", "time,raster\n0,none.asc\n9,\n");
+        write("rain_stays.csv", "time,raster\n5,one.asc\n5,\n");
+        write("rain_timeless.csv", "raster\none.asc\n");
         write("drizzle.csv", "time_h,rain\n0,1e-5\n3,2e-5\n");
         write("drought.csv", "time_h,rain_mm/h\n0,0\n3,0\n");
         write("melts.csv", "time,depth\n0,10\n5,8\n");
@@ -251,10 +239,9 @@ TEST_F(Refused, AHydrographWithoutItsColumns) {
 
 // Three polygons, of which one has a number in another column and none in that of the key.
 TEST_F(Refused, AColumnThatNoPolygonHasANumberIn) {
-    write_features("many.geojson", "Polygon",
-                   {{strip(20, 30), R"("dicke": null, "title": "A")"},
-                    {strip(40, 50), R"("dicke": 2, "title": "B")"},
-                    {strip(60, 70), R"("dicke": null, "title": "C")"}});
+    write_features("many",
+                   {strip(20, 30, R"("dicke": null, "title": "A")"), strip(40, 50, R"("dicke": 2, "title": "B")"),
+                    strip(60, 70, R"("dicke": null, "title": "C")")});
     const auto of = [&](const std::string& column) {
         const std::vector<Problem> problems =
             check({"release.perimeter=many.geojson", "release.thickness=attribute:" + column}).problems;
@@ -322,7 +309,7 @@ TEST_F(Refused, AVrtRunsNoProgram) {
                          path("ran") +
                          "', 'w')\n    out_ar[:] = 300\n]]></PixelFunctionCode></VRTRasterBand></VRTDataset>");
     ::setenv("GDAL_VRT_ENABLE_PYTHON", "YES", 1);
-    EXPECT_EQ(frana({"check", "scene.ini", "--set", "terrain.dtm=own.vrt"}).exit_code, 2);
+    refusal_of(frana({"check", "scene.ini", "--set", "terrain.dtm=own.vrt"}));
     ::unsetenv("GDAL_VRT_ENABLE_PYTHON");
     EXPECT_FALSE(fs::exists(folder_ / "ran"));
 }
@@ -359,8 +346,7 @@ TEST_F(Refused, AViewThatNeverEndsIsAborted) {
 TEST_F(Refused, InTheProgram) {
     const std::vector<std::string> before = files();
     const auto refused = [&](const std::vector<std::string>& arguments, const std::vector<std::string>& words) {
-        const Outcome outcome = frana(arguments);
-        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+        const Outcome outcome = refusal_of(frana(arguments));
         EXPECT_EQ(outcome.out, "");
         EXPECT_EQ(outcome.err.rfind("frana: ", 0), 0U) << outcome.err;
         expect_words(outcome.err, words);
@@ -386,9 +372,8 @@ TEST_F(Refused, InTheProgram) {
                           west + " " + north + "," + west + " " + south + "))");
     }
     gis::test::make_vector(path("many.gpkg"), "GPKG", "EPSG:32632", squares);
-    const Outcome many = frana(
-        {"check", "scene.ini", "--set", "release.perimeter=many.gpkg", "--set", "release.thickness=attribute:none"});
-    EXPECT_EQ(many.exit_code, 2);
+    const Outcome many = refusal_of(frana(
+        {"check", "scene.ini", "--set", "release.perimeter=many.gpkg", "--set", "release.thickness=attribute:none"}));
     EXPECT_LT(std::count(many.err.begin(), many.err.end(), '\n'), 60) << many.err;
 }
 

@@ -11,47 +11,17 @@
 namespace frana::test {
 namespace {
 
-using Corners = std::vector<std::pair<double, double>>;
-
 class Site : public CheckedScene {
   protected:
-    /// NAME.geojson in EPSG:32632: a polygon each (offsets from the DTM's corner) with its properties.
-    void write_features(const std::string& name, const std::vector<std::pair<Corners, std::string>>& features,
-                        const std::string& type = "Polygon") const {
-        std::string text =
-            R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
-            R"("features":[)";
-        for (std::size_t i = 0; i < features.size(); ++i) {
-            const bool polygon = type == "Polygon";
-            Corners corners = features[i].first;
-            if (polygon) corners.push_back(corners.front());
-            text += i > 0 ? "," : "";
-            text += R"({"type":"Feature","properties":{)" + features[i].second + R"(},"geometry":{"type":")" + type +
-                    R"(","coordinates":)" + (polygon ? "[[" : "[");
-            for (std::size_t k = 0; k < corners.size(); ++k)
-                text += (k > 0 ? ",[" : "[") + std::to_string(k_west + corners[k].first) + "," +
-                        std::to_string(k_south + corners[k].second) + "]";
-            text += polygon ? "]]}}" : "]}}";
-        }
-        write(name + ".geojson", text + "]}");
-    }
-    static Corners box(double west, double south, double east, double north) {
-        return {{west, south}, {east, south}, {east, north}, {west, north}};
-    }
     /// Runs the scene with these lines appended and returns its messages; fails unless the run succeeds. Keys that the
     /// tiny scene already has are given in `sets`.
     std::string run_with(const std::string& lines, const std::string& out = "out",
                          const std::vector<std::string>& sets = {}) {
         write_scene(lines + k_numbers_only);
         // Eight seconds: the mass then reaches 130 m.
-        std::vector<std::string> arguments{"run", "scene.ini", "--out", out, "--overwrite", "--set", "time.end=8"};
-        for (const std::string& text : sets) {
-            arguments.emplace_back("--set");
-            arguments.push_back(text);
-        }
-        const Outcome outcome = frana(arguments);
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-        return outcome.err;
+        return succeeded(
+                   frana(with_sets({"run", "scene.ini", "--out", out, "--overwrite", "--set", "time.end=8"}, sets)))
+            .err;
     }
     [[nodiscard]] Raster result(const std::string& name, const std::string& out = "out") const {
         return gis::read_result_raster(path(out + "/" + name + ".tif"));
@@ -65,29 +35,27 @@ TEST_F(Site, ZonesHoldTheFlowWhereTheyAreRough) {
     run_with("");
     const double reach = summary("horizontal_m");
     // From 75 m on, five metres below the release, the bed is rougher (50 degrees) than the slope is steep (27).
-    write_features("zones", {{box(75, 0, 300, 150), R"("phi": 50)"}});
+    write_features("zones", {{"Polygon", box(75, 0, 300, 150), R"("phi": 50)"}});
     const std::string reported = run_with("[terrain]\nfriction-zones = zones.geojson\n");
     EXPECT_EQ(reported.find("overlap"), std::string::npos) << reported;
     EXPECT_LT(summary("horizontal_m"), 0.8 * reach);
     const std::string log = read_text(path("out/log.txt"));
-    EXPECT_NE(log.find("column phi taken for zones.friction-angle"), std::string::npos) << log;
-    EXPECT_NE(log.find("outside all zones"), std::string::npos) << log;
+    expect_words(log, {"column phi taken for zones.friction-angle", "outside all zones"});
     // The same by name, as a coefficient.
     const std::string tangent = std::to_string(std::tan(50 * std::numbers::pi / 180));
-    write_features("zones", {{box(75, 0, 300, 150), R"("rough": )" + tangent}});
+    write_features("zones", {{"Polygon", box(75, 0, 300, 150), R"("rough": )" + tangent}});
     run_with("[terrain]\nfriction-zones = zones.geojson\n[zones]\nfriction-coefficient = attribute:rough\n", "named");
     EXPECT_NEAR(summary("horizontal_m", "named"), summary("horizontal_m"), 1e-9);
 }
 
 TEST_F(Site, OverlapsAndGapsOfZonesAreReported) {
-    write_features("zones", {{box(0, 0, 100, 150), R"("mu": 0.2)"},
-                             {box(90, 0, 300, 50), R"("mu": 0.3)"},
-                             {box(90, 60, 300, 150), R"("mu": 0.3)"},
-                             {box(250, 50, 300, 60), R"("mu": 0.3)"}});
+    write_features("zones", {{"Polygon", box(0, 0, 100, 150), R"("mu": 0.2)"},
+                             {"Polygon", box(90, 0, 300, 50), R"("mu": 0.3)"},
+                             {"Polygon", box(90, 60, 300, 150), R"("mu": 0.3)"},
+                             {"Polygon", box(250, 50, 300, 60), R"("mu": 0.3)"}});
     const std::string reported = run_with("[terrain]\nfriction-zones = zones.geojson\n");
     // 10 m x 140 m are in two zones; a strip of 10 m x 150 m is in none and enclosed.
-    EXPECT_NE(reported.find("zones overlap on 1 400 m2"), std::string::npos) << reported;
-    EXPECT_NE(reported.find("gaps between the zones on 1 500 m2"), std::string::npos) << reported;
+    expect_words(reported, {"zones overlap on 1 400 m2", "gaps between the zones on 1 500 m2"});
 }
 
 TEST_F(Site, ZonesByRasterHaveTheirDefaultOutside) {
@@ -104,11 +72,11 @@ TEST_F(Site, ZonesOfTurbulenceCohesionErodibleDepthAndForest) {
     run_with("");
     const double fastest = summary("max_velocity_ms");
     // Very high drag below the release: v^2 = xi h (sin - mu cos) stays below 1 m2/s2 for 4 m of depth.
-    write_features("zones", {{box(70, 0, 300, 150), R"("xi": 0.5)"}});
+    write_features("zones", {{"Polygon", box(70, 0, 300, 150), R"("xi": 0.5)"}});
     run_with("[terrain]\nfriction-zones = zones.geojson\n", "drag");
     EXPECT_LT(summary("max_velocity_ms", "drag"), 0.9 * fastest);
     // Cohesion holds 2 m of 2000 kg/m3 where it exceeds its weight along the slope, about 20 kPa.
-    write_features("zones", {{box(0, 0, 300, 150), R"("cohesion": 60000)"}});
+    write_features("zones", {{"Polygon", box(0, 0, 300, 150), R"("cohesion": 60000)"}});
     run_with(
         "[terrain]\nfriction-zones = zones.geojson\n[material]\nbed-friction = voellmy, cohesion\n"
         "cohesion = 0\n",
@@ -128,7 +96,7 @@ TEST_F(Site, ZonesOfTurbulenceCohesionErodibleDepthAndForest) {
             EXPECT_FALSE(depth > (c < 19 ? 0 : 0.5 + 1e-6)) << r << ", " << c;
         }
     // Forest from 100 m on holds some of what comes.
-    write_features("zones", {{box(100, 0, 300, 150), R"("detrainment": 400)"}});
+    write_features("zones", {{"Polygon", box(100, 0, 300, 150), R"("detrainment": 400)"}});
     run_with(
         "[terrain]\nfriction-zones = zones.geojson\n[entrainment]\ndetrainment = on\n"
         "detrainment-coefficient = 0\n",
@@ -213,7 +181,7 @@ TEST_F(Site, AlphaBetaIsToldWhereThePathBecomesGentle) {
 // 4000 m3 released, and 1000 m3 each second: 5000, 25 000 and 60 000 m3 separate the classes. On cells of 8 m the
 // elevations for the curvature are 8 m apart, not 10.
 TEST_F(Site, InflowCountsForTheVolumeOfAFrictionTable) {
-    write_features("line", {{{{60, 60}, {60, 90}}, R"("name": "gully")"}}, "LineString");
+    write_features("line", {{"LineString", {{60, 60}, {60, 90}}, R"("name": "gully")"}});
     write("flood.csv", "time,discharge,velocity\n0,1000,5\n50,1000,5\n");
     const std::string inflow = "[inflow]\nline = line.geojson\nhydrograph = flood.csv\n";
     const auto of = [&](double end, const std::string& more) {
@@ -237,14 +205,12 @@ TEST_F(Site, InflowCountsForTheVolumeOfAFrictionTable) {
         << close.out;
     const Outcome shown = frana({"check", "scene.ini", "--set", "material.friction-table=ngi-avalanche", "--set",
                                  "material.return-period=300"});
-    EXPECT_NE(shown.out.find("NGI, Voellmy friction"), std::string::npos) << shown.out;
-    EXPECT_NE(shown.out.find("(class 5 000 – 25 000 m³)"), std::string::npos) << shown.out;
-    EXPECT_NE(shown.out.find("ngi-avalanche.ini"), std::string::npos) << shown.out;
-    EXPECT_NE(shown.out.find("300 kg/m3, from: friction table"), std::string::npos) << shown.out;
+    expect_words(shown.out, {"NGI, Voellmy friction", "(class 5 000 – 25 000 m³)", "ngi-avalanche.ini",
+                             "300 kg/m3, from: friction table"});
     // What decides a number and was left alone is told, by a first reader's screen and by the report.
     write_scene(k_numbers_only + "report = on\n");
     const Json alone = parse_json(frana({"check", "scene.ini", "--json"}).out)["left_at_default"];
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "alone", "--quiet", "--set", "time.end=1"}).exit_code, 0);
+    ran("alone", {"time.end=1"});
     const std::string report = read_text(path("alone/report.html"));
     for (const std::string one : {"material.density = 2000 kg/m3", "output.trace-threshold = 0.1 m"}) {
         EXPECT_NE(alone.dump().find(one), std::string::npos) << alone;
@@ -255,8 +221,8 @@ TEST_F(Site, InflowCountsForTheVolumeOfAFrictionTable) {
 
 TEST_F(Site, ForestAndZonesChangeTheValuesOfAFrictionTable) {
     write("own.ini", own_friction_table(0.2));
-    write_features("wood", {{box(100, 0, 400, 150), R"("kind": "oak")"}});  // reaches beyond the DTM
-    write_features("zones", {{box(200, 0, 300, 150), R"("mu": 0.5)"}});
+    write_features("wood", {{"Polygon", box(100, 0, 400, 150), R"("kind": "oak")"}});  // reaches beyond the DTM
+    write_features("zones", {{"Polygon", box(200, 0, 300, 150), R"("mu": 0.5)"}});
     run_with("[terrain]\nfriction-zones = zones.geojson\n", "out",
              {"material.friction-table=own.ini", "material.return-period=30", "material.forest=wood.geojson"});
     const Raster mu = result("mu"), xi = result("xi");
@@ -274,38 +240,32 @@ TEST_F(Site, ZonesOfFrictionForRammsYield) {
         "[terrain]\nfriction-zones = zones.geojson\n[material]\nbed-friction = ramms-yield\n"
         "ramms-yield-stress = 20000\n";
     const std::vector<std::string> no_voellmy{"material.turbulence=off", "material.friction-angle=6"};
-    write_features("zones", {{box(0, 0, 300, 150), R"("mu": 0.1051042352656764)"}});
+    write_features("zones", {{"Polygon", box(0, 0, 300, 150), R"("mu": 0.1051042352656764)"}});
     run_with(lines, "same", no_voellmy);
-    write_features("zones", {{box(0, 0, 300, 150), R"("mu": 0.9)"}});
+    write_features("zones", {{"Polygon", box(0, 0, 300, 150), R"("mu": 0.9)"}});
     run_with(lines, "weak", no_voellmy);
     EXPECT_GT(summary("max_velocity_ms", "weak"), 1.5 * summary("max_velocity_ms", "same"));
     // As friction-angle = 6 everywhere.
     write_scene(lines.substr(lines.find("[material]")) + k_numbers_only);
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "uniform", "--set", "time.end=8", "--set", no_voellmy[0], "--set",
-                     no_voellmy[1]})
-                  .exit_code,
-              0);
+    succeeded(frana({"run", "scene.ini", "--out", "uniform", "--set", "time.end=8", "--set", no_voellmy[0], "--set",
+                     no_voellmy[1]}));
     EXPECT_NEAR(summary("max_velocity_ms", "uniform"), summary("max_velocity_ms", "same"), 1e-9);
 }
 
 TEST_F(Site, EveryFileIsInTheTableOfTheCheckAndInTheReport) {
-    write_features("zones", {{box(75, 0, 300, 150), R"("phi": 30)"}});
-    write_features("dam", {{box(200, 0, 215, 150), R"("h": 5)"}});
-    write_features("house", {{box(240, 40, 255, 60), ""}});
-    write_features("line", {{{{30, 100}, {30, 130}}, ""}}, "LineString");
+    write_features("zones", {{"Polygon", box(75, 0, 300, 150), R"("phi": 30)"}});
+    write_features("dam", {{"Polygon", box(200, 0, 215, 150), R"("h": 5)"}});
+    write_features("house", {{"Polygon", box(240, 40, 255, 60)}});
+    write_features("line", {{"LineString", {{30, 100}, {30, 130}}}});
     write("flood.csv", "time_s,discharge_m3s,velocity_ms\n0,10,2\n3,10,2\n");
-    write_features("tongue", {{box(80, 40, 150, 110), ""}});
+    write_features("tongue", {{"Polygon", box(80, 40, 150, 110)}});
     const std::string lines =
         "[terrain]\nfriction-zones = zones.geojson\nobstacles = dam.geojson\nobstacle-height = attribute:h\n"
         "walls = house.geojson\n[inflow]\nline = line.geojson\nhydrograph = flood.csv\n"
         "[scar]\ndeposit = tongue.geojson\n";
     write_scene(lines + k_numbers_only);
-    const Outcome check = frana({"check", "scene.ini"});
-    ASSERT_EQ(check.exit_code, 0) << check.err;
-    ASSERT_EQ(
-        frana({"run", "scene.ini", "--out", "out", "--quiet", "--set", "time.end=0.5", "--set", "output.report=on"})
-            .exit_code,
-        0);
+    const Outcome check = succeeded(frana({"check", "scene.ini"}));
+    ran("out", {"time.end=0.5", "output.report=on"});
     const std::string report = read_text(path("out/report.html"));
     for (const std::string words :
          {"DTM", "dtm.asc", "Release perimeter", "Zones", "zones.geojson", "Obstacles", "dam.geojson", "Walls",
@@ -320,7 +280,7 @@ TEST_F(Site, ObstaclesRaiseTheBedAndHoldTheFlow) {
     run_with("");
     const double reach = summary("horizontal_m");
     // A dam one metre thick is thinner than a cell, and still has no gap.
-    write_features("dam", {{box(101, 0, 102, 150), R"("h": 25)"}});
+    write_features("dam", {{"Polygon", box(101, 0, 102, 150), R"("h": 25)"}});
     const std::string reported = run_with("[terrain]\nobstacles = dam.geojson\nobstacle-height = attribute:h\n", "dam");
     EXPECT_NE(reported.find("smaller cells"), std::string::npos) << reported;
     EXPECT_LT(summary("horizontal_m", "dam"), reach);
@@ -330,7 +290,7 @@ TEST_F(Site, ObstaclesRaiseTheBedAndHoldTheFlow) {
 }
 
 TEST_F(Site, WallsAreNotPassed) {
-    write_features("houses", {{box(110, 0, 125, 150), ""}});
+    write_features("houses", {{"Polygon", box(110, 0, 125, 150)}});
     run_with("[terrain]\nwalls = houses.geojson\n");
     const Raster depth = result("max_depth");
     EXPECT_GT(depth.at(14, 21), 0.5);  // it reached the wall
@@ -341,8 +301,8 @@ TEST_F(Site, WallsAreNotPassed) {
 }
 
 TEST_F(Site, LateAreasHaveTheirOwnStartVelocityAndVolume) {
-    write_features("areas", {{box(20, 20, 60, 60), R"("d": 2, "t": 0, "v": 0, "m3": 4000)"},
-                             {box(20, 90, 60, 130), R"("d": 2, "t": 1.5, "v": 8, "m3": 2500)"}});
+    write_features("areas", {{"Polygon", box(20, 20, 60, 60), R"("d": 2, "t": 0, "v": 0, "m3": 4000)"},
+                             {"Polygon", box(20, 90, 60, 130), R"("d": 2, "t": 1.5, "v": 8, "m3": 2500)"}});
     run_with("[release]\nstart = attribute:t\nvelocity = attribute:v\nvolume = attribute:m3\n", "out",
              {"release.perimeter=areas.geojson", "release.thickness=attribute:d"});
     EXPECT_NEAR(summary("initial_m3"), 4000, 1e-8);
@@ -375,21 +335,19 @@ TEST_F(Site, SlipSurfaceFromARaster) {
 }
 
 TEST_F(Site, HydrographFlowsInCompletely) {
-    write_features("line", {{{{30, 60}, {30, 90}}, ""}}, "LineString");
+    write_features("line", {{"LineString", {{30, 60}, {30, 90}}}});
     write("flood.csv", "time_s,discharge_m3s,velocity_ms\n0,0,0\n1,120,6\n3,0,0\n");
     const std::string scene =
         "[terrain]\ndtm = dtm.asc\n[inflow]\nline = line.geojson\nhydrograph = flood.csv\n[material]\n"
         "friction-angle = 5\n[time]\nend = 4\n";
     write("flood.ini", scene + k_numbers_only);
-    const Outcome outcome = frana({"run", "flood.ini", "--out", "flood"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(frana({"run", "flood.ini", "--out", "flood"}));
     EXPECT_EQ(summary("initial_m3", "flood"), 0);
     EXPECT_NEAR(summary("inflow_m3", "flood"), 180, 180e-12);
     EXPECT_LT(summary("relative_error", "flood"), 1e-12);
     // The same volumes, given as a volume; at the critical speed.
     write("flood.csv", "time;volume\n0;0\n1;60\n3;180\n");
-    const Outcome again = frana({"run", "flood.ini", "--out", "again"});
-    ASSERT_EQ(again.exit_code, 0) << again.err;
+    const Outcome again = succeeded(frana({"run", "flood.ini", "--out", "again"}));
     EXPECT_NEAR(summary("inflow_m3", "again"), 180, 180e-12);
     const Outcome check = frana({"check", "flood.ini"});
     EXPECT_NE(check.out.find("180 m3 until the end"), std::string::npos) << check.out;

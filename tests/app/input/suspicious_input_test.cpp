@@ -21,10 +21,9 @@ class SuspiciousInput : public CheckedScene {
 // The slope falls by half: atan(0.5) is 26.6 degrees; the release lies from x = 20 to 70 m.
 TEST_F(SuspiciousInput, CheckAndResultTellElevationsAndSlopes) {
     write_scene(k_numbers_only);
-    const Outcome check = frana({"check", "scene.ini"});
-    ASSERT_EQ(check.exit_code, 0) << check.err;
+    const Outcome check = succeeded(frana({"check", "scene.ini"}));
     expect_words(check.out, {"release          ", " m, slope 27 degrees on average, 27 at most", "path             "});
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
+    ran();
     const std::string summary = read_text(path("result/summary.json"));
     EXPECT_NEAR(json_number(summary, "ground.release.mean_slope_deg"), 26.565, 1e-3);
     EXPECT_NEAR(json_number(summary, "ground.release.steepest_slope_deg"), 26.565, 1e-3);
@@ -38,11 +37,9 @@ TEST_F(SuspiciousInput, CheckAndResultTellElevationsAndSlopes) {
 TEST_F(SuspiciousInput, ElevationsInDecimetresAreReportedAndTheUnitIsAKey) {
     write_scene(k_numbers_only);
     write_dtm([](int, int column) { return 10 * slope(column); });
-    const Outcome wrong = frana({"check", "scene.ini"});
-    EXPECT_EQ(wrong.exit_code, 0) << wrong.err;
+    const Outcome wrong = succeeded(frana({"check", "scene.ini"}));
     expect_words(wrong.err, {"mean slope of the release 79°", "terrain.vertical-unit", "mean slope of the path"});
-    const Outcome right = frana({"check", "scene.ini", "--set", "terrain.vertical-unit=decimetre"});
-    EXPECT_EQ(right.exit_code, 0) << right.err;
+    const Outcome right = succeeded(frana({"check", "scene.ini", "--set", "terrain.vertical-unit=decimetre"}));
     EXPECT_EQ(right.err.find("vertical"), std::string::npos) << right.err;
     expect_words(right.out, {"slope 27 degrees on average"});
 }
@@ -66,7 +63,7 @@ TEST_F(SuspiciousInput, AReleaseThatItsFrictionHoldsIsReported) {
     // Nothing can be known of a mass whose friction is less, or that is thrown.
     EXPECT_EQ(with("material.friction-angle=5").find("under its friction"), std::string::npos);
     EXPECT_EQ(with("release.velocity=10").find("under its friction"), std::string::npos);
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "low", "--quiet"}).exit_code, 0);
+    ran("low");
     expect_words(read_text(path("low/report.html")), {"° under its friction "});
 }
 
@@ -101,17 +98,15 @@ TEST_F(SuspiciousInput, AnOutlineThatIsTheReleaseIsQuestioned) {
     EXPECT_EQ(told.find("matches the release"), std::string::npos) << told;
     // compare asks the same of its own outline.
     write_scene(k_numbers_only);
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
+    ran();
     const auto compare = [&](const std::string& outline) {
         return frana({"compare", "result", "--observed", outline, "--out", "compared", "--overwrite", "--json",
                       "--size", "640x480"});
     };
-    const Outcome release = compare("perimeter.geojson");
-    EXPECT_EQ(release.exit_code, 0) << release.err;
+    const Outcome release = succeeded(compare("perimeter.geojson"));
     expect_words(release.err, {"perimeter.geojson matches the release to 100 %"});
     expect_words(release.out, {"perimeter.geojson matches the release to 100 %"});
-    const Outcome covered = compare("covered.geojson");
-    EXPECT_EQ(covered.exit_code, 0) << covered.err;
+    const Outcome covered = succeeded(compare("covered.geojson"));
     EXPECT_EQ(covered.err.find("matches the release"), std::string::npos) << covered.err;
 }
 
@@ -119,15 +114,13 @@ TEST_F(SuspiciousInput, AnOutlineThatIsTheReleaseIsQuestioned) {
 TEST_F(SuspiciousInput, ScarIsTheSameSectionAsObserved) {
     write_polygon("covered", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
     write_scene(k_numbers_only + "[scar]\nperimeter = covered.geojson\nthreshold = 0.2\n");
-    const Outcome run = frana({"run", "scene.ini", "--out", "result", "--quiet"});
-    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const Outcome run = ran();
     EXPECT_EQ(run.err, "");
     const std::string echoed = read_text(path("result/scene.ini"));
     expect_words(echoed, {"[observed]\n", "covered.geojson\n", "threshold = 0.2\n"});
     EXPECT_EQ(echoed.find("[scar]"), std::string::npos);
-    const Outcome compared =
-        frana({"compare", "result", "--observed", "covered.geojson", "--out", "compared", "--size", "640x480"});
-    EXPECT_EQ(compared.exit_code, 0) << compared.err;
+    const Outcome compared = succeeded(
+        frana({"compare", "result", "--observed", "covered.geojson", "--out", "compared", "--size", "640x480"}));
     EXPECT_EQ(json_number(read_text(path("compared/comparison.json")), "threshold_m"), 0.2);
 }
 
@@ -160,10 +153,9 @@ TEST_F(SuspiciousInput, AThicknessInAnotherCrsKeepsItsVolume) {
         raster.crs = crs;
         raster.values.assign(80, 2);
         gis::test::make_raster(path("thickness.tif"), raster);
-        const Outcome outcome =
+        succeeded(
             frana({"run", "scene.ini", "--out", "result", "--overwrite", "--quiet", "--set", "time.end=0.1", "--set",
-                   "release.perimeter=around.geojson", "--set", "release.thickness=raster:thickness.tif"});
-        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+                   "release.perimeter=around.geojson", "--set", "release.thickness=raster:thickness.tif"}));
         // Areas on the map of UTM are those on the ellipsoid by 0.9996 squared here, 27 km from its central meridian;
         // Monte Mario's ellipsoid is larger by 4e-5.
         const double expected = 160 * (crs == "EPSG:4326" ? 0.9996 * 0.9996 * degree_cell_area(cell, corner.y) : 25);
@@ -201,11 +193,11 @@ TEST_F(SuspiciousInput, ANumberSignInAFolderIsNoComment) {
     for (const char* file : {"dtm.asc", "dtm.prj", "perimeter.geojson", "scene.ini"})
         std::filesystem::copy(folder_ / file, folder / file);
     const std::string scene = folder.string() + "/scene.ini";
-    const Outcome run = frana({"run", scene, "--out", "out#1/result", "--quiet", "--set", "output.animation=off",
-                               "--set", "output.maps=max_depth", "--set", "output.map-size=640x480"});
-    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Outcome run =
+        succeeded(frana({"run", scene, "--out", "out#1/result", "--quiet", "--set", "output.animation=off", "--set",
+                         "output.maps=max_depth", "--set", "output.map-size=640x480"}));
     // The echo repeats it, a page is drawn from it, and a comment is still one.
-    EXPECT_EQ(frana({"run", "out#1/result/scene.ini", "--out", "again", "--quiet"}).exit_code, 0);
+    succeeded(frana({"run", "out#1/result/scene.ini", "--out", "again", "--quiet"}));
     const auto depths = [&](const std::string& result) {
         std::vector<double> values = gis::read_result_raster(path(result + "/max_depth.tif")).values.dense();
         for (double& depth : values)
@@ -213,9 +205,9 @@ TEST_F(SuspiciousInput, ANumberSignInAFolderIsNoComment) {
         return values;
     };
     EXPECT_EQ(depths("again"), depths("out#1/result"));
-    EXPECT_EQ(frana({"render", "out#1/result", "--map", "max_depth", "--size", "640x480"}).exit_code, 0);
+    succeeded(frana({"render", "out#1/result", "--map", "max_depth", "--size", "640x480"}));
     write_scene("#[time]\n[output]\ntitle = Slope#2 # and more\nmaps = off\nanimation = off\n");
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "titled", "--quiet"}).exit_code, 0);
+    ran("titled");
     EXPECT_NE(read_text(path("titled/scene.ini")).find("\ntitle = Slope#2\n"), std::string::npos);
 }
 

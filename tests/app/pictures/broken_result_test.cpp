@@ -72,8 +72,7 @@ class BrokenResult : public TinyScene {
             "frame-interval = 1\n[output]\nmaps = off\nanimation = off\ncharts = off\nreport = off\nformats = geotiff, "
             "particles-gpkg\n"
             "[scar]\nperimeter = scar.geojson\n");
-        const Outcome run = frana({"run", "scene.ini", "--out", "result", "--quiet"});
-        ASSERT_EQ(run.exit_code, 0) << run.err;
+        ran();
     }
 
     void damage(const std::string& file, Damage how) const {

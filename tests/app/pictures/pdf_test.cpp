@@ -28,45 +28,39 @@ TEST_F(Pdf, OfEveryKindShowsWhatItsPngShows) {
     write_scene(
         "[scar]\nperimeter = scar.geojson\n[output]\nmap-formats = png, pdf\nmap-size = 640x480\n"
         "maps = max_depth, max_depth_3d\nanimation = off\n[time]\nframe-interval = 1\n");
-    const Outcome run = frana({"run", "scene.ini", "--out", "result", "--threads", "2"});
-    ASSERT_EQ(run.exit_code, 0) << run.err;
+    succeeded(frana({"run", "scene.ini", "--out", "result", "--threads", "2"}));
     EXPECT_EQ(good_pdfs("result/"),
               (std::vector<std::string>{"charts/profile_flow_path.pdf", "charts/scores.pdf", "charts/timeseries.pdf",
                                         "comparison.pdf", "maps/max_depth.pdf", "maps/max_depth_3d.pdf"}));
-    const Outcome foreign = frana({"render", "result/max_depth.tif", "--dtm", "result/dtm.tif", "--format", "png",
-                                   "--format", "pdf", "--size", "640x480", "--out", "foreign"});
-    ASSERT_EQ(foreign.exit_code, 0) << foreign.err;
+    const Outcome foreign = succeeded(frana({"render", "result/max_depth.tif", "--dtm", "result/dtm.tif", "--format",
+                                             "png", "--format", "pdf", "--size", "640x480", "--out", "foreign"}));
     EXPECT_EQ(good_pdfs("foreign/"), std::vector<std::string>{"max_depth.pdf"});
 }
 
 TEST_F(Pdf, CanBeSearchedForTitleNumbersAndNames) {
     write_scene("[output]\nmaps = off\nanimation = off\ncharts = off\n");
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result"}).exit_code, 0);
+    succeeded(frana({"run", "scene.ini", "--out", "result"}));
     const std::vector<std::string> words{"render",   "result", "--map",    "max_depth",
                                          "--size",   "A4",     "--format", "pdf",
                                          "--format", "svg",    "--title",  "Hang \u05d0\u05d1 \u0416 slope"};
     std::vector<std::string> first = words, again = words;
     first.insert(first.end(), {"--out", "first"});
     again.insert(again.end(), {"--out", "again"});
-    const Outcome outcome = frana(first);
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = succeeded(frana(first));
     EXPECT_EQ(outcome.err, "");
     const std::string text = gis::test::pdf_text(path("first/max_depth.pdf"));
-    for (const char* one :
-         {"Hang", "\u05d0\u05d1", "\u0416 slope", "Maximum depth, vertical [m]", "0.2 \u2013 0.5", "Release", "EPSG"})
-        EXPECT_NE(text.find(one), std::string::npos) << one << " in\n" << text;
+    expect_words(text, {"Hang", "\u05d0\u05d1", "\u0416 slope", "Maximum depth, vertical [m]", "0.2 \u2013 0.5",
+                        "Release", "EPSG"});
     const std::string svg = read_text(path("first/max_depth.svg"));
-    EXPECT_NE(svg.find(">Hang \u05d0\u05d1 \u0416 slope: Maximum depth</text>"), std::string::npos);
-    EXPECT_NE(svg.find("data:image/png;base64,iVBORw0KGgo"), std::string::npos);
-    ASSERT_EQ(frana(again).exit_code, 0);
+    expect_words(svg, {">Hang \u05d0\u05d1 \u0416 slope: Maximum depth</text>", "data:image/png;base64,iVBORw0KGgo"});
+    succeeded(frana(again));
     for (const char* file : {"/max_depth.pdf", "/max_depth.svg"})
         EXPECT_EQ(read_text(path(std::string("first") + file)), read_text(path(std::string("again") + file)));
 }
 
 TEST_F(Pdf, LettersWithoutFontAreWarnedOf) {
     write_scene("[output]\nmaps = max_depth\nanimation = off\ncharts = off\nreport = off\ntitle = a\U0010fffd\n");
-    const Outcome run = frana({"run", "scene.ini", "--out", "result"});
-    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Outcome run = succeeded(frana({"run", "scene.ini", "--out", "result"}));
     EXPECT_NE(run.err.find("no installed font has the letters \U0010fffd"), std::string::npos) << run.err;
     EXPECT_NE(read_text(path("result/log.txt")).find("no installed font"), std::string::npos);
     const Outcome drawn = frana({"render", "result", "--map", "max_depth", "--title", "b"});

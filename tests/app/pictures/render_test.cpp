@@ -30,31 +30,29 @@ class Render : public CheckedScene {
   protected:
     void SetUp() override {
         write_scene("frame-interval = 1\n[output]\nmaps = off\nanimation = off\n");
-        ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
+        ran();
     }
 };
 
 TEST_F(Render, MapsOfAnExistingResult) {
     const Outcome outcome =
-        frana({"render", "result", "--map", "max_depth", "--map", "max_velocity", "--size", "640x480"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        succeeded(frana({"render", "result", "--map", "max_depth", "--map", "max_velocity", "--size", "640x480"}));
     EXPECT_EQ(outcome.out, "result/maps/max_depth.png\nresult/maps/max_velocity.png\n");
     EXPECT_EQ(png_size(path("result/maps/max_depth.png")), (std::pair{640, 480}));
     EXPECT_FALSE(fs::exists(path("result/maps/final_depth.png")));
 }
 
 TEST_F(Render, ViewAndAnimation) {
-    EXPECT_EQ(frana({"render", "result", "--view", "3d", "--map", "max_depth", "--size", "640x480"}).exit_code, 0);
+    succeeded(frana({"render", "result", "--view", "3d", "--map", "max_depth", "--size", "640x480"}));
     EXPECT_EQ(png_size(path("result/maps/max_depth_3d.png")), (std::pair{640, 480}));
-    EXPECT_EQ(frana({"render", "result", "--animation", "film.gif", "--size", "640x480"}).exit_code, 0);
+    succeeded(frana({"render", "result", "--animation", "film.gif", "--size", "640x480"}));
     EXPECT_EQ(read_text(path("film.gif")).substr(0, 3), "GIF");
 }
 
 // The figures beside a map of one time are those of that time, not of the end.
 TEST_F(Render, AFrameShowsItsOwnFigures) {
-    const Outcome outcome = frana({"render", "result", "--map", "depth@2", "--map", "max_depth", "--format", "svg",
-                                   "--size", "1600x1200", "--out", "frame"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = succeeded(frana({"render", "result", "--map", "depth@2", "--map", "max_depth", "--format",
+                                             "svg", "--size", "1600x1200", "--out", "frame"}));
     std::smatch found;
     ASSERT_TRUE(std::regex_search(outcome.out, found, std::regex("depth_t([0-9.]+)\\.svg"))) << outcome.out;
     const double time = std::stod(found[1]);
@@ -141,14 +139,13 @@ TEST(FilmPace, IsTheMotionNotTheClock) {
 }
 
 TEST_F(Render, AnyRasterOfTheResultAndAnyTime) {
-    const Outcome outcome = frana({"render", "result", "--map", "release", "--map", "depth@2.1", "--size", "640x480"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome =
+        succeeded(frana({"render", "result", "--map", "release", "--map", "depth@2.1", "--size", "640x480"}));
     // The first state at or after 2 s, with its true time.
     EXPECT_TRUE(std::regex_match(outcome.out,
                                  std::regex("result/maps/release\\.png\nresult/maps/depth_t2(\\.[0-9]+)?\\.png\n")))
         << outcome.out;
-    const Outcome all = frana({"render", "result", "--size", "640x480", "--out", "all"});
-    ASSERT_EQ(all.exit_code, 0) << all.err;
+    const Outcome all = succeeded(frana({"render", "result", "--size", "640x480", "--out", "all"}));
     for (const std::string name :
          {"max_depth", "max_velocity", "final_depth", "arrival_time", "max_pressure", "release"})
         EXPECT_TRUE(fs::exists(path("all/" + name + ".png"))) << name;
@@ -159,45 +156,38 @@ TEST_F(Render, WithoutAMapDrawsTheRunsRastersAndNoUsersOnes) {
     for (const char* name : {"mine.tif", "max_depth_mine.tif"})
         fs::copy_file(path("result/max_depth.tif"), path(std::string("result/") + name));
     write("result/photo.tif", "no raster at all");
-    const Outcome all = frana({"render", "result", "--size", "640x480", "--out", "all"});
-    ASSERT_EQ(all.exit_code, 0) << all.err;
+    const Outcome all = succeeded(frana({"render", "result", "--size", "640x480", "--out", "all"}));
     EXPECT_TRUE(fs::exists(path("all/max_depth.png")));
     for (const char* name : {"mine.png", "max_depth_mine.png", "photo.png"})
         EXPECT_FALSE(fs::exists(path(std::string("all/") + name))) << name;
     // Requested by its name it is drawn.
-    EXPECT_EQ(frana({"render", "result", "--map", "mine", "--size", "640x480", "--out", "all"}).exit_code, 0);
+    succeeded(frana({"render", "result", "--map", "mine", "--size", "640x480", "--out", "all"}));
     EXPECT_TRUE(fs::exists(path("all/mine.png")));
 }
 
 TEST_F(Render, PagesAndFormats) {
-    const Outcome outcome = frana({"render", "result", "--map", "max_depth", "--size", "A4", "--format", "png",
-                                   "--format", "pdf", "--attribution", "Terrain: survey of 2019", "--out", "page"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(frana({"render", "result", "--map", "max_depth", "--size", "A4", "--format", "png", "--format", "pdf",
+                     "--attribution", "Terrain: survey of 2019", "--out", "page"}));
     EXPECT_EQ(png_size(path("page/max_depth.png")), (std::pair{1754, 1240}));
     EXPECT_EQ(read_text(path("page/max_depth.pdf")).substr(0, 5), "%PDF-");
 }
 
 TEST_F(Render, Charts) {
-    const Outcome charts = frana({"render", "result", "--charts", "--size", "640x480"});
-    ASSERT_EQ(charts.exit_code, 0) << charts.err;
-    EXPECT_NE(charts.out.find("result/charts/profile_flow_path.png"), std::string::npos) << charts.out;
-    EXPECT_NE(charts.out.find("result/charts/timeseries.png"), std::string::npos);
+    const Outcome charts = succeeded(frana({"render", "result", "--charts", "--size", "640x480"}));
+    expect_words(charts.out, {"result/charts/profile_flow_path.png", "result/charts/timeseries.png"});
 }
 
 TEST_F(Render, AnimationsOfMapsAndViews) {
-    const Outcome map = frana({"render", "result", "--animation", "map.mp4", "--size", "640x480"});
-    ASSERT_EQ(map.exit_code, 0) << map.err;
+    const Outcome map = succeeded(frana({"render", "result", "--animation", "map.mp4", "--size", "640x480"}));
     EXPECT_EQ(read_text(path("map.mp4")).substr(4, 4), "ftyp");
-    const Outcome view = frana(
-        {"render", "result", "--animation", "view.gif", "--view", "3d", "--map", "velocity", "--size", "640x480"});
-    ASSERT_EQ(view.exit_code, 0) << view.err;
+    const Outcome view = succeeded(frana(
+        {"render", "result", "--animation", "view.gif", "--view", "3d", "--map", "velocity", "--size", "640x480"}));
     EXPECT_EQ(read_text(path("view.gif")).substr(0, 3), "GIF");
 }
 
 TEST_F(Render, RastersOfOtherProgramsOverATerrain) {
-    const Outcome outcome =
-        frana({"render", "result/max_velocity.tif", "--dtm", "dtm.asc", "--size", "640x480", "--out", "foreign"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = succeeded(
+        frana({"render", "result/max_velocity.tif", "--dtm", "dtm.asc", "--size", "640x480", "--out", "foreign"}));
     EXPECT_EQ(outcome.out, "foreign/max_velocity.png\n");
 }
 
@@ -223,12 +213,10 @@ TEST_F(Render, ErrorsAreRefused) {
 
 TEST_F(Render, MapsOfOneResultShareTheirWindow) {
     // A map drawn alone or in a series is the same, byte for byte.
-    ASSERT_EQ(frana({"render", "result", "--size", "640x480", "--map", "max_depth", "--map", "max_velocity", "--map",
-                     "depth@1", "--out", "series"})
-                  .exit_code,
-              0);
-    ASSERT_EQ(frana({"render", "result", "--size", "640x480", "--map", "max_velocity", "--out", "alone"}).exit_code, 0);
-    ASSERT_EQ(frana({"render", "result", "--size", "640x480", "--map", "depth@1", "--out", "alone"}).exit_code, 0);
+    succeeded(frana({"render", "result", "--size", "640x480", "--map", "max_depth", "--map", "max_velocity", "--map",
+                     "depth@1", "--out", "series"}));
+    succeeded(frana({"render", "result", "--size", "640x480", "--map", "max_velocity", "--out", "alone"}));
+    succeeded(frana({"render", "result", "--size", "640x480", "--map", "depth@1", "--out", "alone"}));
     EXPECT_EQ(read_text(path("series/max_velocity.png")), read_text(path("alone/max_velocity.png")));
     EXPECT_EQ(read_text(path("series/depth_t1.png")), read_text(path("alone/depth_t1.png")));
 }

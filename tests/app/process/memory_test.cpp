@@ -45,12 +45,10 @@ TEST_P(Memory, IsPredictedAndRatherTooMuchThanTooLittle) {
               "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
               "model = structured\n[time]\nend = 0.1\n[numerics]\nparticles-per-cell = 9\n");
     }
-    const Outcome check = frana(command("check"));
-    ASSERT_EQ(check.exit_code, 0) << check.err;
+    const Outcome check = succeeded(frana(command("check")));
     std::vector<std::string> run = command("run");
     run.insert(run.end(), {"--out", "result", "--quiet"});
-    const Outcome done = frana(run);
-    ASSERT_EQ(done.exit_code, 0) << done.err;
+    succeeded(frana(run));
     const double foreseen = foreseen_bytes(check.out),
                  taken = json_number(read_text(path("result/summary.json")), "peak_memory_bytes");
     RecordProperty("foreseen_MB", std::to_string(foreseen / 1e6));
@@ -118,13 +116,10 @@ class MemoryOfMachine : public TinyScene {
 TEST_F(MemoryOfMachine, RefusesTooLargeRunsBeforeAnythingIsComputed) {
     if (k_sanitized) GTEST_SKIP() << "a sanitizer reserves more addresses than that";
     write_scene(k_numbers_only);
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--set", "time.end=1"}).exit_code, 0);
+    succeeded(frana({"run", "scene.ini", "--out", "result", "--set", "time.end=1"}));
     const auto before = files();
     const auto refused = [&](const std::vector<std::string>& words, const std::string& key) {
-        const Outcome outcome = frana(words);
-        EXPECT_EQ(outcome.exit_code, 2) << words.front();
-        for (const std::string& messages : {std::string("of memory"), std::string("ulimit -v"), key})
-            EXPECT_NE(outcome.err.find(messages), std::string::npos) << words.front() << ": " << outcome.err;
+        refusal_of(frana(words), {std::string("of memory"), std::string("ulimit -v"), key});
     };
     for (const char* command : {"check", "run"}) {
         refused({command, "scene.ini", "--set", "output.maps=on", "--set", "output.map-size=8000x8000"},

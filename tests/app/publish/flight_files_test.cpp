@@ -19,29 +19,28 @@ class FlightFiles : public TinyScene {
         write_scene("[numerics]\ncurvature = on\n" + k_numbers_only);
     }
     [[nodiscard]] Outcome run(const std::string& flight, const std::vector<std::string>& more = {}) const {
-        std::vector<std::string> arguments{"run",
-                                           "scene.ini",
-                                           "--out",
-                                           "result",
-                                           "--overwrite",
-                                           "--set",
-                                           "numerics.flight=" + flight,
-                                           "--set",
-                                           "release.perimeter=near.geojson",
-                                           "--set",
-                                           "release.velocity=10",
-                                           "--set",
-                                           "release.direction=90",
-                                           "--set",
-                                           "material.friction-angle=0",
-                                           "--set",
-                                           "material.turbulence=1e9",
-                                           "--set",
-                                           "release.thickness=0.2",
-                                           "--set",
-                                           "time.end=8"};
-        for (const std::string& one : more) arguments.insert(arguments.end(), {"--set", one});
-        return frana(arguments);
+        return frana(with_sets({"run",
+                                "scene.ini",
+                                "--out",
+                                "result",
+                                "--overwrite",
+                                "--set",
+                                "numerics.flight=" + flight,
+                                "--set",
+                                "release.perimeter=near.geojson",
+                                "--set",
+                                "release.velocity=10",
+                                "--set",
+                                "release.direction=90",
+                                "--set",
+                                "material.friction-angle=0",
+                                "--set",
+                                "material.turbulence=1e9",
+                                "--set",
+                                "release.thickness=0.2",
+                                "--set",
+                                "time.end=8"},
+                               more));
     }
 };
 
@@ -52,8 +51,7 @@ TEST_F(FlightFiles, OfAStudyAreAWarning) {
           "[study]\nscene = scene.ini\nsamples = 2\n[set]\nrelease.perimeter = near.geojson\nrelease.direction = 90\n"
           "material.friction-angle = 0\nmaterial.turbulence = 1e9\nrelease.thickness = 0.2\ntime.end = 8\n"
           "[vary]\nrelease.velocity = uniform(9, 10)\n");
-    const Outcome outcome = frana({"ensemble", "study.ini", "--out", "result"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = succeeded(frana({"ensemble", "study.ini", "--out", "result"}));
     EXPECT_NE(outcome.err.find("2 of 2 runs warn, most of all member"), std::string::npos) << outcome.err;
     EXPECT_NE(read_text(path("result/summary.json")).find("m3 flew over edges"), std::string::npos);
     EXPECT_EQ(json_number(read_text(path("result/summary.json")), "run_troubles.flew"), 2);
@@ -66,17 +64,15 @@ TEST_F(FlightFiles, OfAStudyAreAWarning) {
 TEST_F(FlightFiles, OfResolutionsAreWarnings) {
     write_polygon("near", {{100, 50}, {130, 50}, {130, 90}, {100, 90}});
     const Outcome outcome =
-        frana({"converge", "scene.ini", "--set", "release.perimeter=near.geojson", "--set", "release.velocity=10",
-               "--set", "release.direction=90", "--set", "material.friction-angle=0", "--set",
-               "material.turbulence=1e9", "--set", "release.thickness=0.2", "--set", "time.end=8"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        succeeded(frana({"converge", "scene.ini", "--set", "release.perimeter=near.geojson", "--set",
+                         "release.velocity=10", "--set", "release.direction=90", "--set", "material.friction-angle=0",
+                         "--set", "material.turbulence=1e9", "--set", "release.thickness=0.2", "--set", "time.end=8"}));
     EXPECT_NE(outcome.err.find("m3 flew over edges"), std::string::npos) << outcome.err;
 }
 
 TEST_F(FlightFiles, AgreeWithTheParabola) {
     write_polygon("near", {{100, 50}, {130, 50}, {130, 90}, {100, 90}});
-    const Outcome outcome = run("on");
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = succeeded(run("on"));
     EXPECT_NE(outcome.err.find("material flew over edges"), std::string::npos) << outcome.err;
     const std::string summary = read_text(path("result/summary.json"));
     const double length = 10 * std::sqrt(2 * 40 / 9.81);
@@ -114,9 +110,8 @@ TEST_F(FlightFiles, CountInClassesWhereTheyAreLow) {
     write_polygon("near", {{100, 50}, {130, 50}, {130, 90}, {100, 90}});
     for (const bool low : {false, true}) {
         SCOPED_TRACE(low);
-        const Outcome outcome = run("on", {"hazard.scheme=swiss-debris-flow", "hazard.minimum-depth=0.01",
-                                           std::string("numerics.flight-clearance=") + (low ? "100" : "0")});
-        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        succeeded(run("on", {"hazard.scheme=swiss-debris-flow", "hazard.minimum-depth=0.01",
+                             std::string("numerics.flight-clearance=") + (low ? "100" : "0")}));
         const Raster classes = gis::read_result_raster(path("result/hazard.tif"));
         const Raster depth = gis::read_result_raster(path("result/max_depth.tif"));
         const Raster jumps = gis::read_result_raster(path("result/jump_height.tif"));
@@ -136,8 +131,8 @@ TEST_F(FlightFiles, CountInClassesWhereTheyAreLow) {
 
 TEST_F(FlightFiles, DoNotExistWithoutFlight) {
     write_polygon("near", {{100, 50}, {130, 50}, {130, 90}, {100, 90}});
-    ASSERT_EQ(run("on").exit_code, 0);
-    ASSERT_EQ(run("off").exit_code, 0);
+    succeeded(run("on"));
+    succeeded(run("off"));
     EXPECT_FALSE(std::filesystem::exists(path("result/jump_height.tif")));
     EXPECT_FALSE(json_has(read_text(path("result/summary.json")), "jumps"));
 }

@@ -33,8 +33,7 @@ class MapPage : public TinyScene {
     void run(const std::string& output, const std::string& more = "") {
         write_dtm();
         write_scene("[output]\nmaps = off\nanimation = off\ncharts = off\n" + output + "\n" + more);
-        const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
-        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        ran();
     }
     /// Opens a copy of the page in which a script ends with `seen = ...`; returns that, and what the console shows.
     Json seen(const std::string& script, int width = 1200) {
@@ -216,8 +215,7 @@ TEST_F(MapPage, ShowsTheGreatestValueOfBlocksOfALargeMap) {
     write_dtm();
     write_polygon("perimeter", {{10, 10}, {290, 10}, {290, 140}, {10, 140}});
     write_scene(k_numbers_only + "[terrain]\ncell-size = 0.2\n[numerics]\nscheme = finite-volume\n");
-    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=0.02"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    ran("result", {"time.end=0.02"});
     const Json page = seen(
         "const values = await cellsOf(data.layers.find(one => one.name === 'max_depth')); seen = {grid, notes: "
         "document.querySelector('aside').textContent, values: []};\n"
@@ -282,16 +280,7 @@ TEST_F(MapPage, FillsAPageOnPaper) {
 }
 
 TEST_F(MapPage, ShowsRoadsOfTheSurroundingsThatMeetTheMap) {
-    std::ofstream roads(path("roads.geojson"));
-    roads.precision(12);
-    roads << R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": )"
-          << R"("urn:ogc:def:crs:EPSG::32632"}}, "features": [)";
-    for (const double north : {75.0, 9000.0})
-        roads << (north > 75 ? "," : "") << R"({"type": "Feature", "properties": {}, "geometry": {"type": )"
-              << R"("LineString", "coordinates": [[)" << k_west - 50 << ',' << k_south + north << "],[" << k_west + 400
-              << ',' << k_south + north << "]]}}";
-    roads << "]}";
-    roads.close();
+    write_features("roads", {{"LineString", {{-50, 75}, {400, 75}}}, {"LineString", {{-50, 9000}, {400, 9000}}}});
     run("map-context = roads.geojson");
     const Json given = seen(
         "seen = data.shapes.filter(one => one.title === 'Surroundings')"

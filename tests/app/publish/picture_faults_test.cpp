@@ -50,7 +50,7 @@ TEST_F(PictureFaults, LeaveEverythingElseOfARun) {
     }
     EXPECT_NE(read_text(path("none/report.html")).find("could not be drawn: planted fault"), std::string::npos);
     EXPECT_EQ(read_text(path("none/max_depth.tif")), read_text(path("whole/max_depth.tif")));
-    EXPECT_EQ(frana({"render", "none", "--map", "max_depth"}).exit_code, 0);
+    succeeded(frana({"render", "none", "--map", "max_depth"}));
     EXPECT_TRUE(fs::exists(path("none/maps/max_depth.svg")));
     // A single fault, in one picture after the other until none is left.
     bool met = true;
@@ -69,8 +69,7 @@ TEST_F(PictureFaults, LeaveEverythingElseOfAStudy) {
     write("study.ini",
           "[study]\nscene = scene.ini\nsamples = 4\n[set]\noutput.maps = on\noutput.animation = on\noutput.map-size = "
           "640x480\n[vary]\nmaterial.friction-angle = uniform(12, 18)\n");
-    const Outcome outcome = with_fault(1, k_all, {"ensemble", "study.ini", "--out", "study"});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(with_fault(1, k_all, {"ensemble", "study.ini", "--out", "study"}));
     EXPECT_NE(read_text(path("study/summary.json")).find("could not be drawn"), std::string::npos);
     for (const char* file : {"members.csv", "summary.json", "report.html", "manifest.json"})
         EXPECT_TRUE(fs::exists(path(std::string("study/") + file))) << file;
@@ -79,22 +78,16 @@ TEST_F(PictureFaults, LeaveEverythingElseOfAStudy) {
 TEST_F(PictureFaults, LeaveTheTablesOfAConvergenceStudy) {
     if (k_sanitized) GTEST_SKIP() << "left out: a sanitizer must be loaded first";
     run(k_voellmy + "[output]\nmaps = off\nanimation = off\n", "whole");
-    const Outcome outcome = with_fault(1, k_all, {"converge", "scene.ini", "--out", "study"});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(with_fault(1, k_all, {"converge", "scene.ini", "--out", "study"}));
     for (const char* file : {"convergence.csv", "convergence.json", "uncertainty.tif"})
         EXPECT_TRUE(fs::exists(path(std::string("study/") + file))) << file;
 }
 
 TEST_F(PictureFaults, LongNamesOfManyGaugesAreShortened) {
-    std::string features;
+    std::vector<TestFeature> gauges;
     for (int i = 0; i < 8; ++i)
-        features += std::string(i > 0 ? "," : "") +
-                    R"({"type": "Feature", "properties": {"name": "gauge_of_twenty_chars)" + std::to_string(i) +
-                    R"("}, "geometry": {"type": "Point", "coordinates": [)" + std::to_string(527045 + i) +
-                    ", 5094075]}}";
-    write("gauge.geojson", R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": )"
-                           R"("urn:ogc:def:crs:EPSG::32632"}}, "features": [)" +
-                               features + "]}");
+        gauges.push_back({"Point", {{45 + i, 75}}, named("gauge_of_twenty_chars" + std::to_string(i))});
+    write_features("gauge", gauges);
     run(k_voellmy + "[output]\nanimation = off\nmap-size = 640x480\ngauges = gauge.geojson\n", "out");
     EXPECT_TRUE(fs::exists(path("out/charts/gauges.png")));
     EXPECT_EQ(read_text(path("out/report.html")).find("could not be drawn"), std::string::npos);

@@ -28,21 +28,9 @@ class ResultExtent : public TinyScene {
     }
     [[nodiscard]] static std::vector<std::string> command(const std::string& extent, const std::string& result,
                                                           const std::vector<std::string>& more = {}) {
-        std::vector<std::string> words{"run",
-                                       "scene.ini",
-                                       "--out",
-                                       result,
-                                       "--quiet",
-                                       "--set",
-                                       "output.extent=" + extent,
-                                       "--set",
-                                       "terrain.cell-size=2.5",
-                                       "--set",
-                                       "time.end=1.5",
-                                       "--set",
-                                       "time.frame-interval=0.5"};
-        words.insert(words.end(), more.begin(), more.end());
-        return words;
+        return with_more({"run", "scene.ini", "--out", result, "--quiet", "--set", "output.extent=" + extent, "--set",
+                          "terrain.cell-size=2.5", "--set", "time.end=1.5", "--set", "time.frame-interval=0.5"},
+                         more);
     }
     [[nodiscard]] Outcome run(const std::string& extent, const std::string& result,
                               const std::vector<std::string>& more = {}) const {
@@ -85,8 +73,7 @@ class ResultExtent : public TinyScene {
 
 TEST_F(ResultExtent, HoldsTheValuesOfTheWholeMap) {
     for (const char* extent : {"map", "reached"}) {
-        const Outcome outcome = run(extent, extent);
-        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        succeeded(run(extent, extent));
     }
     const Raster whole = gis::read_result_raster(path("map/max_depth.tif")),
                  part = gis::read_result_raster(path("reached/max_depth.tif"));
@@ -114,17 +101,15 @@ TEST_F(ResultExtent, HoldsTheValuesOfTheWholeMap) {
           {"compare", "reached", "--scar", "scar.geojson", "--size", "640x480", "--out", "again"},
           {"run", "scene.ini", "--out", "reached", "--resume", "--set", "output.extent=reached", "--set",
            "terrain.cell-size=2.5", "--set", "time.end=1.5", "--set", "time.frame-interval=0.5"}}) {
-        const Outcome outcome = frana(words);
-        EXPECT_EQ(outcome.exit_code, 0) << words[0] << ": " << outcome.err;
+        succeeded(frana(words));
     }
-    EXPECT_EQ(run("reached", "reached", {"--overwrite"}).exit_code, 0);
+    succeeded(run("reached", "reached", {"--overwrite"}));
     expect_same_at_coordinates("reached", "map");
 }
 
 // What --resume continues are frames of the whole map.
 TEST_F(ResultExtent, OfAResumedRunIsThatOfAStraightOne) {
-    const Outcome straight = run("reached", "straight");
-    ASSERT_EQ(straight.exit_code, 0) << straight.err;
+    const Outcome straight = succeeded(run("reached", "straight"));
     // Stopped after its first frames, and killed where the frames are cut, if it is seen there.
     StartedProgram first(folder_.string(), command("reached", "resumed"));
     ASSERT_TRUE(first.wait_until([&] { return fs::exists(path("resumed.partial/frames/depth_0001.tif")); }));
@@ -137,8 +122,7 @@ TEST_F(ResultExtent, OfAResumedRunIsThatOfAStraightOne) {
         second.send(SIGKILL);
     const int killed = second.wait().exit_code;
     ASSERT_TRUE(killed == 0 || killed == -SIGKILL) << killed;
-    const Outcome last = run("reached", "resumed", {"--resume"});
-    ASSERT_EQ(last.exit_code, 0) << last.err;
+    succeeded(run("reached", "resumed", {"--resume"}));
     expect_same_at_coordinates("resumed", "straight");
     EXPECT_EQ(gis::read_result_raster(path("resumed/max_depth.tif")).grid.columns,
               gis::read_result_raster(path("straight/max_depth.tif")).grid.columns);
@@ -147,7 +131,7 @@ TEST_F(ResultExtent, OfAResumedRunIsThatOfAStraightOne) {
 // On an even slope a release is deepest where it waited; where a trough gathers it, the flow is.
 TEST_F(ResultExtent, DepthOutsideTheReleaseIsALayerWhereTheReleaseHidesIt) {
     write_scene();
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "hidden", "--quiet", "--set", "time.end=1.5"}).exit_code, 0);
+    ran("hidden", {"time.end=1.5"});
     const Raster all = gis::read_result_raster(path("hidden/max_depth.tif")),
                  release = gis::read_result_raster(path("hidden/release.tif")),
                  outside = gis::read_result_raster(path("hidden/outside_depth.tif"));
@@ -163,10 +147,7 @@ TEST_F(ResultExtent, DepthOutsideTheReleaseIsALayerWhereTheReleaseHidesIt) {
     EXPECT_LT(maximum(outside), maximum(all));
     write_dtm(
         [](int row, int column) { return 300 - 2.5 * column + 1.0 * std::max(0, column - 18) * std::abs(row - 15); });
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "shown", "--quiet", "--set", "release.thickness=0.3", "--set",
-                     "time.end=12"})
-                  .exit_code,
-              0);
+    ran("shown", {"release.thickness=0.3", "time.end=12"});
     EXPECT_GT(maximum(gis::read_result_raster(path("shown/max_depth.tif"))), 0.3);
     EXPECT_FALSE(fs::exists(path("shown/outside_depth.tif")));
 }

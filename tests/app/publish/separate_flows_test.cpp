@@ -34,10 +34,7 @@ class SeparateFlowsCli : public TinyScene {
                "]]";
     }
     [[nodiscard]] Json summary_of_run(const std::vector<std::string>& more = {}) const {
-        std::vector<std::string> words{"run", "scene.ini", "--out", "result", "--overwrite", "--quiet"};
-        words.insert(words.end(), more.begin(), more.end());
-        const Outcome outcome = frana(words);
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        succeeded(frana(with_more({"run", "scene.ini", "--out", "result", "--overwrite", "--quiet"}, more)));
         return Json::parse(read_text(path("result/summary.json")));
     }
     /// The last row's value of a column of timeseries.csv.

@@ -15,36 +15,25 @@ using ThinFlow = TinyScene;
 TEST_F(ThinFlow, ReleasedEverywhereIsRefused) {
     write_scene(k_numbers_only);
     for (const std::string command : {"run", "check"}) {
-        const Outcome outcome = frana({command, "scene.ini", "--set", "release.thickness=0.005"});
-        EXPECT_EQ(outcome.exit_code, 2);
-        EXPECT_NE(outcome.err.find("release.thickness"), std::string::npos) << outcome.err;
-        EXPECT_NE(outcome.err.find("Set numerics.minimum-depth = 0.0005 or less"), std::string::npos) << outcome.err;
+        refusal_of(frana({command, "scene.ini", "--set", "release.thickness=0.005"}),
+                   {"release.thickness", "Set numerics.minimum-depth = 0.0005 or less"});
     }
     EXPECT_FALSE(std::filesystem::exists(path("results")));
-    EXPECT_EQ(frana({"run", "scene.ini", "--set", "release.thickness=0.005", "--set", "numerics.minimum-depth=0.0005"})
-                  .exit_code,
-              0);
+    succeeded(
+        frana({"run", "scene.ini", "--set", "release.thickness=0.005", "--set", "numerics.minimum-depth=0.0005"}));
 }
 
 TEST_F(ThinFlow, ReleasedInPartIsAWarningOfCheckAndRun) {
     write_scene(k_numbers_only);
-    write("two.geojson",
-          R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name":)"
-          R"( "urn:ogc:def:crs:EPSG::32632"}}, "features": [)"
-          R"({"type": "Feature", "properties": {"depth": 0.02}, "geometry": {"type": "Polygon",)"
-          R"( "coordinates": [[[527020, 5094055], [527045, 5094055], [527045, 5094095], [527020, 5094095],)"
-          R"( [527020, 5094055]]]}},)"
-          R"({"type": "Feature", "properties": {"depth": 0.008}, "geometry": {"type": "Polygon",)"
-          R"( "coordinates": [[[527045, 5094055], [527070, 5094055], [527070, 5094095], [527045, 5094095],)"
-          R"( [527045, 5094055]]]}}]})");
+    write_features("two", {{"Polygon", box(20, 55, 45, 95), R"("depth": 0.02)"},
+                           {"Polygon", box(45, 55, 70, 95), R"("depth": 0.008)"}});
     const std::vector<std::string> more{"--set", "release.perimeter=two.geojson", "--set",
                                         "release.thickness=attribute:depth"};
     std::vector<std::string> check{"check", "scene.ini"}, run{"run", "scene.ini", "--out", "result"};
     for (auto* words : {&check, &run}) words->insert(words->end(), more.begin(), more.end());
     const std::string told = "% of flow thinner than numerics.minimum-depth = 0.01 m: lower it";
     for (const auto& words : {check, run}) {
-        const Outcome outcome = frana(words);
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        const Outcome outcome = succeeded(frana(words));
         EXPECT_NE(outcome.err.find(told), std::string::npos) << words.front() << ": " << outcome.err;
     }
     const std::string summary = read_text(path("result/summary.json"));
@@ -59,8 +48,7 @@ TEST_F(ThinFlow, ThatOutlinesDoNotShowIsAWarningOfCheckAndRun) {
         for (const std::string& set :
              {std::string("release.thickness=0.05"), std::string("numerics.minimum-depth=0.0005"), threshold})
             words.insert(words.end(), {"--set", set});
-        const Outcome outcome = frana(words);
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        const Outcome outcome = succeeded(frana(words));
         return outcome.err;
     };
     const std::string check = call({"check", "scene.ini"}, "output.trace-threshold=0.1");
@@ -78,9 +66,8 @@ TEST_F(ThinFlow, ThatOutlinesDoNotShowIsAWarningOfCheckAndRun) {
 
 TEST_F(ThinFlow, DuringTheRunIsAWarning) {
     write_scene(k_numbers_only);
-    const Outcome outcome =
-        frana({"run", "scene.ini", "--out", "result", "--set", "release.thickness=0.02", "--set", "time.end=30"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = succeeded(
+        frana({"run", "scene.ini", "--out", "result", "--set", "release.thickness=0.02", "--set", "time.end=30"}));
     EXPECT_NE(outcome.err.find("% of flow thinner than numerics.minimum-depth = 0.01 m"), std::string::npos)
         << outcome.err;
     EXPECT_GT(json_number(read_text(path("result/summary.json")), "greatest_thin_fraction"), 0.1);
@@ -92,7 +79,7 @@ TEST_F(ThinFlow, DuringTheRunIsAWarning) {
 TEST_F(ThinFlow, ZonesOfPressureFollowThePressureRasterToTheCell) {
     write("own.ini", own_scheme("pressure > ", "3 kPa", "10 kPa"));
     write_scene(k_numbers_only + "trace-threshold = 0.5\n[hazard]\nscheme = own.ini\n");
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "material.density=2000"}).exit_code, 0);
+    ran("result", {"material.density=2000"});
     const auto raster = [&](const std::string& name) { return gis::read_result_raster(path("result/" + name)); };
     const Raster classes = raster("hazard.tif"), pressure = raster("max_pressure.tif"), depth = raster("max_depth.tif");
     int shallow = 0;
@@ -106,10 +93,7 @@ TEST_F(ThinFlow, ZonesOfPressureFollowThePressureRasterToTheCell) {
     EXPECT_GT(shallow, 0) << "margins that a least depth would take away";
     EXPECT_EQ(gis::read_raster_text(path("result/max_pressure.tif")).metadata["DENSITY"], "2000 kg/m3");
     // The classes of a run that was cut say so wherever they go.
-    ASSERT_EQ(
-        frana({"run", "scene.ini", "--out", "cut", "--quiet", "--set", "material.density=2000", "--set", "time.end=1"})
-            .exit_code,
-        0);
+    ran("cut", {"material.density=2000", "time.end=1"});
     EXPECT_TRUE(gis::read_raster_text(path("cut/hazard.tif")).metadata.contains("LOWER_BOUND"));
 }
 

@@ -20,7 +20,7 @@ class FormatVersion : public TinyScene {
     FormatVersion() {
         write_scene(k_numbers_only);
         write_polygon("scar", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
-        EXPECT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=1"}).exit_code, 0);
+        ran("result", {"time.end=1"});
     }
     // Everything that reads a result.
     [[nodiscard]] std::vector<Outcome> read_it() const {

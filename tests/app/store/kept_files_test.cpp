@@ -19,7 +19,7 @@ class KeptFilesOf : public CheckedScene {
   protected:
     void SetUp() override {
         write_scene("frame-interval = 1\n[output]\nmaps = off\nanimation = off\n");
-        ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=2"}).exit_code, 0);
+        ran("result", {"time.end=2"});
     }
     [[nodiscard]] std::map<std::string, std::string> contents() const {
         std::map<std::string, std::string> all;
@@ -90,7 +90,7 @@ TEST_F(OwnFiles, OfAComparisonAreReplacedAndNoOthers) {
     write("compared/comparison.png", "the user's");
     expect_refusal(compare, k_foreign);
     fs::remove(path("compared/comparison.png"));
-    for (int i = 0; i < 2; ++i) EXPECT_EQ(frana(compare).exit_code, 0);
+    for (int i = 0; i < 2; ++i) succeeded(frana(compare));
     write("compared/comparison.json", "edited");
     expect_refusal(compare, k_changed);
     fs::remove_all(path("compared"));
@@ -98,8 +98,7 @@ TEST_F(OwnFiles, OfAComparisonAreReplacedAndNoOthers) {
     write("compared/manifest.json", "{\"name\": \"of a web page\"}");
     expect_refusal(compare, "is not frana's list of files");
     // In a result they belong to it.
-    for (int i = 0; i < 2; ++i)
-        EXPECT_EQ(frana({"compare", "result", "--scar", "scar.geojson", "--size", "640x480"}).exit_code, 0);
+    for (int i = 0; i < 2; ++i) succeeded(frana({"compare", "result", "--scar", "scar.geojson", "--size", "640x480"}));
     EXPECT_TRUE(app::read_manifest(path("result")).value().files.contains("comparison.png"));
 }
 
@@ -109,11 +108,11 @@ TEST_F(OwnFiles, OfAStudyAreReplacedAndNoOthers) {
     const std::vector<std::string> study{"converge", "scene.ini", "--out", "study", "--quiet", "--set", "time.end=1"};
     expect_refusal(study, k_foreign);
     fs::remove(path("study/uncertainty.tif"));
-    EXPECT_EQ(frana(study).exit_code, 0);
+    succeeded(frana(study));
     expect_refusal(study, "contains a convergence study already");
     std::vector<std::string> again = study;
     again.emplace_back("--overwrite");
-    EXPECT_EQ(frana(again).exit_code, 0);
+    succeeded(frana(again));
     write("study/convergence.csv", "edited");
     expect_refusal(again, k_changed);
 }
@@ -124,14 +123,13 @@ TEST_F(OwnFiles, OfABenchAreReplacedAndNoOthers) {
     write("bench/accuracy.csv", "the user's");
     expect_refusal(bench, k_foreign);
     fs::remove(path("bench/accuracy.csv"));
-    for (int i = 0; i < 2; ++i) EXPECT_EQ(frana(bench).exit_code, 0);
+    for (int i = 0; i < 2; ++i) succeeded(frana(bench));
 }
 
 // Redrawn pictures belong to the result: a run that replaces it removes them.
 TEST_F(OwnFiles, OfARedrawnResultAreReplacedWithIt) {
-    ASSERT_EQ(frana({"render", "result", "--map", "max_depth", "--map", "release", "--size", "640x480"}).exit_code, 0);
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--overwrite", "--quiet", "--set", "time.end=1"}).exit_code,
-              0);
+    succeeded(frana({"render", "result", "--map", "max_depth", "--map", "release", "--size", "640x480"}));
+    succeeded(frana({"run", "scene.ini", "--out", "result", "--overwrite", "--quiet", "--set", "time.end=1"}));
     EXPECT_FALSE(fs::exists(path("result/maps/release.png")));
 }
 
@@ -156,8 +154,7 @@ TEST_F(AnotherResult, IsNotComparedInto) {
     expect_both_named({"compare", "result/max_depth.tif", "--scar", "scar.geojson", "--out", "other"},
                       "result/max_depth.tif");
     for (const std::string own : {"result", "result/more"})
-        EXPECT_EQ(frana({"compare", "result", "--scar", "scar.geojson", "--out", own, "--size", "640x480"}).exit_code,
-                  0);
+        succeeded(frana({"compare", "result", "--scar", "scar.geojson", "--out", own, "--size", "640x480"}));
 }
 
 TEST_F(AnotherResult, IsNotDrawnInto) {
@@ -168,7 +165,7 @@ TEST_F(AnotherResult, IsNotDrawnInto) {
     expect_both_named({"render", "result", "--charts", "--out", "other/charts"}, "result");
     expect_both_named({"render", "dtm.asc", "--out", "other/maps"}, "dtm.asc");
     for (const std::string own : {"result/maps", "result/more"})
-        EXPECT_EQ(frana({"render", "result", "--map", "max_depth", "--out", own, "--size", "640x480"}).exit_code, 0);
+        succeeded(frana({"render", "result", "--map", "max_depth", "--out", own, "--size", "640x480"}));
 }
 
 TEST_F(AnotherResult, RefusesAStudy) {
@@ -190,7 +187,7 @@ TEST_F(OwnPictures, AreReplacedAndNoOthers) {
     write("pictures/max_depth.png", "the user's");
     expect_refusal(draw, k_foreign);
     fs::remove(path("pictures/max_depth.png"));
-    for (int i = 0; i < 2; ++i) EXPECT_EQ(frana(draw).exit_code, 0);
+    for (int i = 0; i < 2; ++i) succeeded(frana(draw));
     write("pictures/max_depth.png", "edited");
     expect_refusal(draw, k_changed);
     fs::create_directory(path("charts"));
@@ -210,7 +207,7 @@ TEST_F(OwnPictures, OfAKilledProgramAreReplaced) {
         program.send(SIGKILL);
         program.wait();
     }
-    ASSERT_EQ(frana(draw).exit_code, 0);
+    succeeded(frana(draw));
     write("result/maps/max_depth.png", "edited");
     expect_refusal(draw, k_changed);
 }
@@ -229,7 +226,7 @@ TEST_F(OwnPictures, OfAnimationsAreReplacedAndNoOthers) {
     write("film.gif", "the user's");
     expect_refusal(animation("film.gif"), k_foreign);
     fs::remove(path("film.gif"));
-    for (int i = 0; i < 2; ++i) EXPECT_EQ(frana(animation("film.gif")).exit_code, 0);
+    for (int i = 0; i < 2; ++i) succeeded(frana(animation("film.gif")));
 }
 
 }  // namespace

@@ -37,9 +37,7 @@ class Overwrite : public ResultScenes {
     /// The same by the program, which changes nothing.
     void expect_refused_by_the_program(const std::string& words, const std::string& result = "old") const {
         const auto before = bytes_below(folder_.string());
-        const Outcome outcome = frana({"run", "scene.ini", "--out", result, "--overwrite"});
-        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-        EXPECT_NE(outcome.err.find(words), std::string::npos) << words << "\nin " << outcome.err;
+        refusal_of(frana({"run", "scene.ini", "--out", result, "--overwrite"}), {words});
         EXPECT_TRUE(bytes_below(folder_.string()) == before);
     }
     [[nodiscard]] static std::map<std::string, std::string> bytes_below(const std::string& folder) {
@@ -106,8 +104,7 @@ void Overwrite::make_studies(bool all) const {
         commands.insert(commands.end(), {{"compare", "old", "--scar", "scar.geojson", "--size", "640x480"},
                                          {"calibrate", "fitted_to_two.ini", "--out", "fitted_to_two", "--quiet"}});
     for (const std::vector<std::string>& command : commands) {
-        const Outcome outcome = frana(command);
-        ASSERT_EQ(outcome.exit_code, 0) << command[1] << ": " << outcome.err;
+        succeeded(frana(command));
     }
 }
 
@@ -222,11 +219,8 @@ TEST_F(Overwrite, OfAStudyIsRefusedWhileUsersFilesAreInTheWay) {
     for (const auto& [result, words] : commands) {
         write(result + "/notes.txt", "mine");
         const auto before = bytes_below(path(result));
-        const Outcome outcome = frana({words[0], words[1], "--out", result, "--quiet", "--overwrite"});
-        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-        EXPECT_NE(outcome.err.find("contains a file that frana did not write, or that was changed since: notes.txt"),
-                  std::string::npos)
-            << outcome.err;
+        refusal_of(frana({words[0], words[1], "--out", result, "--quiet", "--overwrite"}),
+                   {"contains a file that frana did not write, or that was changed since: notes.txt"});
         EXPECT_TRUE(bytes_below(path(result)) == before);
     }
 }
@@ -237,18 +231,15 @@ TEST_F(Overwrite, RedrawingIsRefusedForChangedFiles) {
     const std::vector<std::string> compare{"compare", "old", "--scar", "scar.geojson", "--size", "640x480"},
         draw{"render", "old", "--map", "max_depth", "--map", "final_depth", "--size", "640x480"};
     for (int time = 0; time < 2; ++time) {
-        ASSERT_EQ(frana(draw).exit_code, 0);
-        ASSERT_EQ(frana(compare).exit_code, 0);
+        succeeded(frana(draw));
+        succeeded(frana(compare));
         open_as_a_gis(path("old/comparison.gpkg"), "SELECT count(*) FROM gpkg_contents");  // shown, not changed
     }
     write("old/maps/max_depth.png", "my arrows");
     write("old/comparison.qml", "my style");
     for (const auto& [words, name] : {std::pair(draw, "maps/max_depth.png"), std::pair(compare, "comparison.qml")}) {
         const auto before = bytes_below(path("old"));
-        const Outcome outcome = frana(words);
-        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-        EXPECT_NE(outcome.err.find("was changed since frana wrote it, or is the user's"), std::string::npos);
-        EXPECT_NE(outcome.err.find(name), std::string::npos) << outcome.err;
+        refusal_of(frana(words), {"was changed since frana wrote it, or is the user's", name});
         EXPECT_TRUE(bytes_below(path("old")) == before);
     }
 }
@@ -345,16 +336,14 @@ TEST_F(Overwrite, AResultWhosePlaceIsNoLongerFreeIsKeptBesideIt) {
         const auto before = bytes_below(path("result"));
         const Outcome outcome = program.wait();
         EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
-        EXPECT_NE(outcome.err.find("the new result is complete in " + path("result.partial")), std::string::npos)
-            << outcome.err;
-        EXPECT_NE(outcome.err.find("elsewhere and publish it by the same command with --resume"), std::string::npos);
+        expect_words(outcome.err, {"the new result is complete in " + path("result.partial"),
+                                   "elsewhere and publish it by the same command with --resume"});
         EXPECT_EQ(outcome.err.find("MB free"), std::string::npos) << "it is not the disk";
         EXPECT_TRUE(bytes_below(path("result")) == before);
         EXPECT_TRUE(exists("result.partial/manifest.json"));
         fs::remove(path("result/notes.txt"));
         arguments.emplace_back("--resume");
-        const Outcome resumed = frana(arguments);
-        EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+        succeeded(frana(arguments));
         EXPECT_FALSE(exists("result.partial"));
         fs::remove_all(path("result"));
     }
@@ -371,15 +360,13 @@ TEST_F(Overwrite, AResumedRunWritesTheFilesOfAFreshOne) {
             "--set", "time.end=8",           "--set", "terrain.cell-size=2.5", "--set", "time.frame-interval=1",
             "--set", "output.maps=max_depth"};
         run(text + k_every_output, whole, longer);
-        std::vector<std::string> arguments{"run", "scene.ini", "--out", result, "--quiet"};
-        arguments.insert(arguments.end(), longer.begin(), longer.end());
+        std::vector<std::string> arguments = with_more({"run", "scene.ini", "--out", result, "--quiet"}, longer);
         StartedProgram program(folder_.string(), arguments);
         ASSERT_TRUE(program.wait_until([&] { return exists(result + ".partial/frames/depth_0001.tif"); }));
         program.send(SIGINT);
         ASSERT_EQ(program.wait().exit_code, 130);
         arguments.push_back("--resume");
-        const Outcome resumed = frana(arguments);
-        ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+        succeeded(frana(arguments));
         EXPECT_GT(expect_same_files(path(whole), path(result)), 80U);
     }
 }
@@ -391,17 +378,13 @@ TEST_F(LeftBehind, AUsersFileInTheFolderOfAKilledRunIsInTheWay) {
     write("result.partial/notes.txt", "mine");
     const std::vector<std::string> killed = files_below(path("result.partial"));
     for (const char* option : {"--overwrite", "--resume"}) {
-        const Outcome outcome = frana(run("result", {option}));
-        EXPECT_EQ(outcome.exit_code, 2);
-        EXPECT_NE(
-            outcome.err.find("result.partial: was left by a run that was killed and contains a file that frana did "
-                             "not write, or that was changed since: notes.txt"),
-            std::string::npos)
-            << outcome.err;
+        refusal_of(frana(run("result", {option})),
+                   {"result.partial: was left by a run that was killed and contains a file that frana did "
+                    "not write, or that was changed since: notes.txt"});
         EXPECT_EQ(files_below(path("result.partial")), killed);
     }
     fs::remove(path("result.partial/notes.txt"));
-    ASSERT_EQ(frana(run("result", {"--overwrite"})).exit_code, 0);
+    succeeded(frana(run("result", {"--overwrite"})));
     EXPECT_FALSE(fs::exists(path("result.partial")));
 }
 

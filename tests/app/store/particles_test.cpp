@@ -38,8 +38,7 @@ void expect_on_the_slope(const Points& points) {
 
 TEST_F(ParticleFiles, OfTheFirstModel) {
     write_scene("frame-interval = 1\n[output]\nmaps = off\nanimation = off\nformats = geotiff, particles-gpkg\n");
-    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=2"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    ran("result", {"time.end=2"});
     const Points start = points("result/frames/particles_0000.gpkg"), end = points("result/frames/particles_0002.gpkg");
     EXPECT_EQ(start.names, k_common);
     EXPECT_NEAR(start.sum("volume_m3"), 4000, 1e-6);  // 50 m x 40 m x 2 m
@@ -56,9 +55,8 @@ TEST_F(ParticleFiles, OfTheFirstModel) {
         mean += end.columns.at("velocity_x_ms")[p] * end.columns.at("volume_m3")[p] / (4000 * std::cos(angle));
     EXPECT_LT(mean, most);
     EXPECT_GT(mean, 0.8 * most);
-    const Outcome wet = frana({"run", "scene.ini", "--out", "wet", "--quiet", "--set", "time.end=1", "--set",
-                               "material.pore-pressure-ratio=0.4", "--set", "material.pore-dissipation-time=2"});
-    ASSERT_EQ(wet.exit_code, 0) << wet.err;
+    const Outcome wet =
+        ran("wet", {"time.end=1", "material.pore-pressure-ratio=0.4", "material.pore-dissipation-time=2"});
     // As velocities, the ratio of a frame is up to half a step old.
     const Points later = points("wet/frames/particles_0001.gpkg");  // not in the loop's head: it must outlive the loop
     for (const double ratio : later.columns.at("pore_pressure_ratio")) {
@@ -71,8 +69,7 @@ TEST_F(ParticleFiles, OfStructuredSolidsInBothFormats) {
     write_structured(
         "solids-and-fluid\ncohesion = 1e6\ninternal-friction-angle = 28\nbed-friction-angle = 12\n"
         "young-modulus = 1e7\nbulk-modulus = 1e7\n[numerics]\nparticles-per-cell = 9");
-    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    ran();
     const Points end = points("result/frames/particles_0002.gpkg");
     std::vector<std::string> names = k_common;
     for (const char* name :

@@ -41,7 +41,7 @@ class ResumedFrames : public Resuming {
 };
 
 TEST_F(ResumedFrames, HaveTheParticlesOfAKilledRun) {
-    ASSERT_EQ(frana(with_particles("whole")).exit_code, 0);
+    succeeded(frana(with_particles("whole")));
     StartedProgram program(folder_.string(), with_particles("result"));
     ASSERT_TRUE(program.wait_until([&] {
         return has_checkpoints("result", 2) &&
@@ -49,22 +49,20 @@ TEST_F(ResumedFrames, HaveTheParticlesOfAKilledRun) {
     })) << program.wait().err;
     program.send(SIGKILL);
     program.wait();
-    const Outcome resumed = frana(with_particles("result", {"--resume"}));
-    ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+    succeeded(frana(with_particles("result", {"--resume"})));
     expect_same_result("whole", "result");
     expect_same_particles("whole", "result");
 }
 
 TEST_F(ResumedFrames, HaveTheParticlesOfAStoppedRun) {
-    ASSERT_EQ(frana(with_particles("whole")).exit_code, 0);
+    succeeded(frana(with_particles("whole")));
     {
         StartedProgram program(folder_.string(), with_particles("result"));
         ASSERT_TRUE(program.wait_until([&] { return has_checkpoints("result", 2); })) << program.wait().err;
         program.send(SIGTERM);
         ASSERT_EQ(program.wait().exit_code, 128 + SIGTERM);
     }
-    const Outcome resumed = frana(with_particles("result", {"--resume"}));
-    ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+    succeeded(frana(with_particles("result", {"--resume"})));
     expect_same_result("whole", "result");
     expect_same_particles("whole", "result");
 }
@@ -76,9 +74,7 @@ TEST_F(ResumedFrames, MissingFilesAreReported) {
     program.wait();
     const fs::path file = folder_of(checkpoints("result")[0]) / "frames/particles_0000.gpkg";
     fs::remove(file);
-    const Outcome refused = frana(with_particles("result", {"--resume"}));
-    EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_NE(refused.err.find("needs a frame that is missing: " + file.string()), std::string::npos) << refused.err;
+    refusal_of(frana(with_particles("result", {"--resume"})), {"needs a frame that is missing: " + file.string()});
 }
 
 // Otherwise everything would be computed, and the animation would fail at the end, each time
@@ -87,16 +83,13 @@ TEST_F(ResumedFrames, ThatAreDamagedAreReportedBeforeAnythingIsComputed) {
     interrupt("result");
     const fs::path file = folder_of(checkpoints("result")[0]) / "frames/velocity_0000.tif";
     damage(file);
-    const Outcome refused = frana(run("result", {"--resume"}));
-    EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_NE(refused.err.find("needs a frame that is not as it was written: " + file.string()), std::string::npos)
-        << refused.err;
-    EXPECT_NE(refused.err.find("--overwrite"), std::string::npos) << refused.err;
+    refusal_of(frana(run("result", {"--resume"})),
+               {"needs a frame that is not as it was written: " + file.string(), "--overwrite"});
     EXPECT_EQ(checkpoints("result").size(), 2U);
 }
 
 TEST_F(ResumedFrames, DamagedOnesLoseNoMoreThanNecessary) {
-    ASSERT_EQ(frana(run("whole", {"--quiet"})).exit_code, 0);
+    succeeded(frana(run("whole", {"--quiet"})));
     StartedProgram program(folder_.string(), run("result"));
     // Two checkpoints with different numbers of frames.
     ASSERT_TRUE(program.wait_until([&] {
@@ -116,10 +109,8 @@ TEST_F(ResumedFrames, DamagedOnesLoseNoMoreThanNecessary) {
     const std::string newest = checkpoints("result")[0];
     const std::size_t frames = app::CheckpointFile(newest).head().frame_times.size();
     damage(folder_of(newest) / ("frames/depth_000" + std::to_string(frames - 1) + ".tif"));
-    const Outcome resumed = frana(run("result", {"--resume"}));
-    EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
-    EXPECT_NE(resumed.err.find("checkpoint not used: " + newest + ": needs a frame"), std::string::npos) << resumed.err;
-    EXPECT_NE(resumed.err.find("resuming from"), std::string::npos) << resumed.err;
+    const Outcome resumed = succeeded(frana(run("result", {"--resume"})));
+    expect_words(resumed.err, {"checkpoint not used: " + newest + ": needs a frame", "resuming from"});
     expect_same_result("whole", "result");
 }
 

@@ -43,16 +43,16 @@ TEST_F(Ensemble, MembersThatAreCutRunOnToTheirEnd) {
     write_study("samples = 4\n",
                 "[set]\ntime.end = 12\ntime.stop-when-still = on\n[vary]\n"
                 "material.friction-angle = uniform(16, 24)\n");
-    ASSERT_EQ(run().exit_code, 0);
+    succeeded(run());
     const Json summary = parse_json(read_text(path("out/summary.json")));
     EXPECT_EQ(summary["run_troubles"]["cut"], 0);
     std::size_t longer = 0;
     for (const auto& row : members()) {
         longer += row.at("time.end") == "120" ? 1 : 0;
-        const Outcome alone = frana({"run", "scene.ini", "--out", "alone", "--overwrite", "--quiet", "--set",
-                                     "time.stop-when-still=on", "--set", "time.end=" + row.at("time.end"), "--set",
-                                     "material.friction-angle=" + row.at("material.friction-angle")});
-        ASSERT_EQ(alone.exit_code, 0) << alone.err;
+        const Outcome alone =
+            succeeded(frana({"run", "scene.ini", "--out", "alone", "--overwrite", "--quiet", "--set",
+                             "time.stop-when-still=on", "--set", "time.end=" + row.at("time.end"), "--set",
+                             "material.friction-angle=" + row.at("material.friction-angle")}));
         const std::string text = read_text(path("alone/summary.json"));
         EXPECT_EQ(std::stod(row.at("covered_area_m2")), json_number(text, "covered_area_m2"));
         EXPECT_EQ(std::stod(row.at("runout_m")), json_number(text, "runout.horizontal_m"));
@@ -64,7 +64,7 @@ TEST_F(Ensemble, MembersThatAreCutRunOnToTheirEnd) {
     EXPECT_FALSE(metadata.contains("LOWER_BOUND"));
     // A time.end that is varied is meant.
     write_study("samples = 4\n", "[vary]\ntime.end = uniform(2, 3)\n");
-    ASSERT_EQ(run({"--overwrite"}).exit_code, 0);
+    succeeded(run({"--overwrite"}));
     for (const auto& row : members()) EXPECT_LE(std::stod(row.at("time.end")), 3);
     EXPECT_TRUE(gis::read_raster_text(path("out/probability_depth_0.1.tif")).metadata.contains("LOWER_BOUND"));
 }
@@ -75,8 +75,7 @@ TEST_F(Ensemble, AFieldOfErrorIsWhatThePolynomialsDoNotExplain) {
     write_study("samples = 40\n",
                 "[set]\ntime.end = 6\n[vary]\nmaterial.friction-angle = uniform(10, 24)\n"
                 "terrain.error = gaussian-field(0.3, 40)\n");
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run());
     const gis::Table table = gis::read_table(path("out/sensitivity.csv"), "table");
     int fields = 0, rests = 0;
     for (const auto& row : table.rows) {

@@ -40,8 +40,7 @@ TEST_F(Ensemble, ProbabilityOfTheSlidingBlockIsThatOfTheClosedForm) {
           "velocity-thresholds = 1\ntrace-threshold = 1e-4\nreport = off\n");
     write_study("samples = 1000\nsampling = random\nseed = 3\n",
                 "[vary]\nmaterial.friction-coefficient = uniform(0.2, 0.4)\n");
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run());
     const Raster reached = gis::read_result_raster(path("out/probability_depth_1e-04.tif"));
     int compared = 0;
     for (int column = 0; column < columns; ++column) {
@@ -61,9 +60,7 @@ TEST_F(Ensemble, ProbabilityOfTheSlidingBlockIsThatOfTheClosedForm) {
 TEST_F(Ensemble, SameBitsForAnyNumberOfThreads) {
     write_study("samples = 12\nkeep = all\n", k_two_keys);
     for (const std::string threads : {"1", "2", "7"}) {
-        const Outcome outcome =
-            frana({"ensemble", "study.ini", "--out", "out" + threads, "--threads", threads, "--quiet"});
-        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        succeeded(frana({"ensemble", "study.ini", "--out", "out" + threads, "--threads", threads, "--quiet"}));
     }
     expect_same("out1", "out2");
     expect_same("out1", "out7");
@@ -71,26 +68,22 @@ TEST_F(Ensemble, SameBitsForAnyNumberOfThreads) {
 
 TEST_F(Ensemble, ResumesAfterAKillAndEndsInTheSameBits) {
     write_study("samples = 40\n", k_two_keys);
-    ASSERT_EQ(frana({"ensemble", "study.ini", "--out", "whole", "--quiet"}).exit_code, 0);
+    succeeded(frana({"ensemble", "study.ini", "--out", "whole", "--quiet"}));
     ASSERT_EQ(stop_after(3, SIGKILL).exit_code, -SIGKILL);
     EXPECT_FALSE(fs::exists(path("out")));
     // Neither a run nor another study takes its members away.
-    EXPECT_EQ(run().exit_code, 2);
+    refusal_of(run());
     EXPECT_NE(run().err.find("--resume continues it"), std::string::npos);
-    const Outcome other = frana({"run", "scene.ini", "--out", "out", "--quiet"});
-    EXPECT_EQ(other.exit_code, 2);
-    EXPECT_NE(other.err.find("an interrupted study"), std::string::npos) << other.err;
+    refusal_of(frana({"run", "scene.ini", "--out", "out", "--quiet"}), {"an interrupted study"});
     // A damaged record and a torn one are computed again.
     const std::vector<KeptRecord> kept = records();
     std::string bytes = read_text(path(kept.at(2).file));
     bytes[kept[0].at + 100] ^= 1;
     write(kept[0].file, bytes.substr(0, kept.back().at + kept.back().size - 1));
-    const Outcome resumed = run({"--resume", "--threads", "1"});
-    ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+    succeeded(run({"--resume", "--threads", "1"}));
     expect_same("whole", "out");
     EXPECT_FALSE(fs::exists(path("out/records")));
-    const Outcome again = run({"--resume"});
-    EXPECT_EQ(again.exit_code, 0) << again.err;
+    succeeded(run({"--resume"}));
 }
 
 TEST_F(Ensemble, ResumeRefusesMembersOfAnotherStudy) {
@@ -99,17 +92,14 @@ TEST_F(Ensemble, ResumeRefusesMembersOfAnotherStudy) {
     ASSERT_EQ(stopped.exit_code, 128 + SIGTERM) << stopped.err;
     EXPECT_NE(stopped.err.find("--resume runs the others"), std::string::npos) << stopped.err;
     write_study("samples = 60\nseed = 2\n", k_two_keys);
-    const Outcome resumed = run({"--resume"});
-    EXPECT_EQ(resumed.exit_code, 2);
-    EXPECT_NE(resumed.err.find("are of another study"), std::string::npos) << resumed.err;
+    refusal_of(run({"--resume"}), {"are of another study"});
 }
 
 // Any member can be run again alone.
 TEST_F(Ensemble, AMembersFiguresAreThoseOfARunWithItsValues) {
     write_study("samples = 4\n",
                 k_two_keys + "terrain.error = gaussian-field(0.3, 40)\nrelease.volume = uniform(3000, 5000)\n");
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run());
     const Rows rows = members();
     ASSERT_EQ(rows.size(), 4U);
     for (const auto& row : rows) {
@@ -117,7 +107,7 @@ TEST_F(Ensemble, AMembersFiguresAreThoseOfARunWithItsValues) {
         std::vector<std::string> arguments{"run", "scene.ini", "--out", "alone", "--overwrite", "--quiet"};
         for (const auto& [key, value] : row)
             if (key.find('.') != std::string::npos) arguments.insert(arguments.end(), {"--set", key + "=" + value});
-        ASSERT_EQ(frana(arguments).exit_code, 0);
+        succeeded(frana(arguments));
         const std::string summary = read_text(path("alone/summary.json"));
         const std::map<std::string, std::string> names{
             {"runout_m", "runout.horizontal_m"},    {"covered_area_m2", "covered_area_m2"},
@@ -139,15 +129,14 @@ TEST_F(Ensemble, MembersWithOtherFilesHaveTheirOwnGround) {
             for (const std::string angle : {"12.5", "17.5"}) table += dtm + "," + perimeter + "," + angle + "\n";
     write("table.csv", table);
     write_study("sampling = table:table.csv\n", "[set]\nterrain.error = 0.3, 40, 7\n");
-    const Outcome outcome = run({"--threads", "3"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run({"--threads", "3"}));
     std::map<std::string, std::size_t> areas;
     for (const auto& row : members()) {
         std::vector<std::string> arguments{"run",     "scene.ini",   "--out", "alone",
                                            "--quiet", "--overwrite", "--set", "terrain.error=0.3, 40, 7"};
         for (const auto& [key, value] : row)
             if (key.find('.') != std::string::npos) arguments.insert(arguments.end(), {"--set", key + "=" + value});
-        ASSERT_EQ(frana(arguments).exit_code, 0);
+        succeeded(frana(arguments));
         const std::string summary = read_text(path("alone/summary.json"));
         EXPECT_EQ(std::stod(row.at("covered_area_m2")), json_number(summary, "covered_area_m2")) << row.at("member");
         EXPECT_EQ(std::stod(row.at("max_velocity_ms")), json_number(summary, "max_velocity_ms")) << row.at("member");
@@ -163,29 +152,22 @@ TEST_F(Ensemble, AllProblemsAreReportedInOnePassAndNothingIsWritten) {
                 "release.perimeter = choice(perimeter.geojson)\n");
     const auto before = files();
     for (const std::string command : {"ensemble", "check"}) {
-        const Outcome outcome = frana({command, "study.ini"});
-        EXPECT_EQ(outcome.exit_code, 2);
-        for (const std::string words :
-             {"study.samples", "study.levls: unknown key", "vary.material.friction-angle", "vary.terrain.bounds",
-              "output.formats", "numerics.accuracy", "numerics.cfll: unknown key"})
-            EXPECT_NE(outcome.err.find(words), std::string::npos) << command << ": " << words << "\n" << outcome.err;
+        const Outcome outcome = refusal_of(frana({command, "study.ini"}));
+        expect_words(outcome.err,
+                     {"study.samples", "study.levls: unknown key", "vary.material.friction-angle",
+                      "vary.terrain.bounds", "output.formats", "numerics.accuracy", "numerics.cfll: unknown key"});
     }
     EXPECT_EQ(files(), before);
 }
 
 TEST_F(Ensemble, ASceneThatIsMissingIsReportedWithTheOtherProblems) {
     write("study.ini", "[study]\nscene = nowhere.ini\nsamples = 0\n" + k_two_keys);
-    const Outcome outcome = run();
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_NE(outcome.err.find("nowhere.ini: cannot be opened"), std::string::npos) << outcome.err;
-    EXPECT_NE(outcome.err.find("study.samples"), std::string::npos) << outcome.err;
+    refusal_of(run(), {"nowhere.ini: cannot be opened", "study.samples"});
 }
 
 TEST_F(Ensemble, AFileOfAChoiceThatCannotBeReadIsRefusedBefore) {
     write_study("samples = 4\n", "[vary]\nrelease.perimeter = choice(perimeter.geojson, nowhere.geojson)\n");
-    const Outcome outcome = run();
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_NE(outcome.err.find("nowhere.geojson"), std::string::npos) << outcome.err;
+    refusal_of(run(), {"nowhere.geojson"});
     EXPECT_FALSE(fs::exists(path("out")));
 }
 
@@ -198,7 +180,7 @@ TEST_F(Ensemble, FailedMembersAreCountedWithTheirReason) {
     const std::string head = "sampling = table:angles.csv\nkeep = failed\n", rest = "[set]\ntime.end = 40\n";
     write_dtm(slope);
     write_study(head, rest);
-    ASSERT_EQ(run().exit_code, 0);
+    succeeded(run());
     fs::rename(path("out"), path("whole"));
     write_dtm([&](int row, int column) { return column > 50 ? -9999 : slope(row, column); });
     const Outcome outcome = run();
@@ -237,19 +219,17 @@ TEST_F(Ensemble, FailedMembersAreCountedWithTheirReason) {
 
 TEST_F(Ensemble, AResultIsReplacedOnlyWhenAsked) {
     write_study("samples = 2\n", k_two_keys);
-    ASSERT_EQ(run().exit_code, 0);
+    succeeded(run());
     const std::string first = read_text(path("out/members.csv"));
-    const Outcome refused = run();
-    EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_NE(refused.err.find("contains a result already"), std::string::npos) << refused.err;
+    refusal_of(run(), {"contains a result already"});
     write("out/notes.txt", "mine");
     write_study("samples = 3\n", k_two_keys);
-    EXPECT_EQ(run({"--resume"}).exit_code, 2);     // it is complete, and of another study
-    EXPECT_EQ(run({"--overwrite"}).exit_code, 2);  // a file of the user's is in the way
+    refusal_of(run({"--resume"}));     // it is complete, and of another study
+    refusal_of(run({"--overwrite"}));  // a file of the user's is in the way
     EXPECT_EQ(read_text(path("out/members.csv")), first);
     EXPECT_EQ(read_text(path("out/notes.txt")), "mine");
     fs::remove(path("out/notes.txt"));
-    ASSERT_EQ(run({"--overwrite"}).exit_code, 0);
+    succeeded(run({"--overwrite"}));
     EXPECT_EQ(members().size(), 3U);
 }
 
@@ -257,11 +237,10 @@ TEST_F(Ensemble, ATableOfMembersGivesTheSameMembers) {
     const std::string to_rest =
         "[set]\ntime.end = 300\ntime.stop-when-still = on\n";  // members of a table do not run on
     write_study("samples = 6\n", to_rest + k_two_keys);
-    ASSERT_EQ(run().exit_code, 0);
+    succeeded(run());
     fs::rename(path("out"), path("drawn"));
     write_study("sampling = table:drawn/members.csv\n", to_rest);
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run());
     const Raster a = gis::read_result_raster(path("drawn/quantile_max_depth_50.tif")),
                  b = gis::read_result_raster(path("out/quantile_max_depth_50.tif"));
     for (std::size_t i = 0; i < a.values.size(); ++i)
@@ -272,13 +251,12 @@ TEST_F(Ensemble, ATableOfMembersGivesTheSameMembers) {
 TEST_F(Ensemble, ATableOfOneColumnAndWhatItsColumnsAreTakenFor) {
     write("one.csv", "material.friction-angle\n12\n\"15\"\n   \n");
     write_study("sampling = table:one.csv\n", "");
-    ASSERT_EQ(run().exit_code, 0);
+    succeeded(run());
     ASSERT_EQ(members().size(), 2U);  // a line of blanks is no member
     EXPECT_EQ(members()[1]["material.friction-angle"], "15");
     write("three.csv", "member,material.friction-angle,weight\n0,12,1\n1,14,2\n");
     write_study("sampling = table:three.csv\n", "");
-    const Outcome outcome = frana({"check", "study.ini", "--json"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = succeeded(frana({"check", "study.ini", "--json"}));
     std::vector<std::pair<std::string, std::string>> uses;
     const Json document = parse_json(outcome.out);
     for (const Json& column : document["columns"])
@@ -291,17 +269,14 @@ TEST_F(Ensemble, ATableOfOneColumnAndWhatItsColumnsAreTakenFor) {
 
 TEST_F(Ensemble, CheckWarnsOfTheReleaseAsThatOfTheSceneDoes) {
     write_study("samples = 4\n", "[set]\nrelease.thickness = 90\n" + k_two_keys);
-    const Outcome check = frana({"check", "study.ini"});
-    EXPECT_EQ(check.exit_code, 0) << check.err;
-    for (const char* part : {"release step of", "too thick for depth-averaging"})
-        EXPECT_NE(check.err.find(part), std::string::npos) << check.err;
+    const Outcome check = succeeded(frana({"check", "study.ini"}));
+    expect_words(check.err, {"release step of", "too thick for depth-averaging"});
 }
 
 // What the pages of a run tell of a release that no outline shows has no page in a study.
 TEST_F(Ensemble, AReleaseThinnerThanTheTraceIsAWarningOfItsRuns) {
     write_study("samples = 2\n", "[set]\noutput.trace-threshold = 9\n" + k_two_keys);
-    const Outcome outcome = run();
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run());
     EXPECT_NE(parse_json(read_text(path("out/summary.json")))["warnings"].dump().find(
                   "of flow thinner than output.trace-threshold = 9 m"),
               std::string::npos);
@@ -347,7 +322,7 @@ TEST_F(Ensemble, WhatItsRunsWarnOfReachesEveryPage) {
         unknown += p[i] == 0 && upper[i] == 1 ? 1 : 0;
     }
     EXPECT_GT(unknown, p.size() / 4);
-    EXPECT_EQ(run({"--overwrite"}).exit_code, 0);
+    succeeded(run({"--overwrite"}));
     for (const auto& [strict, code] : {std::pair("--strict", 3), {"--quiet", 0}})
         EXPECT_EQ(frana({"run", "scene.ini", "--out", "one", "--overwrite", strict, "--set", "time.end=3"}).exit_code,
                   code);
@@ -355,8 +330,7 @@ TEST_F(Ensemble, WhatItsRunsWarnOfReachesEveryPage) {
 
 TEST_F(Ensemble, RunsThatLeaveTheGroundAreTold) {
     write_study("samples = 4\n", "[set]\ntime.end = 30\nterrain.bounds = 527000 5094000 527100 5094150\n" + k_two_keys);
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run());
     const Json summary = parse_json(read_text(path("out/summary.json")));
     EXPECT_EQ(summary["run_troubles"]["left_ground"], 4);
     EXPECT_NE(summary["warnings"][0].get<std::string>().find("4 of 4 runs left the domain"), std::string::npos);
@@ -372,14 +346,14 @@ TEST_F(Ensemble, RunsThatLeaveTheGroundAreTold) {
 // Records are known by what they contain: in another order, and in other files.
 TEST_F(Ensemble, RecordsInFilesOfTheirOwnAndInAnotherOrderAreUsed) {
     write_study("samples = 24\n", k_two_keys);
-    ASSERT_EQ(frana({"ensemble", "study.ini", "--out", "whole", "--quiet"}).exit_code, 0);
+    succeeded(frana({"ensemble", "study.ini", "--out", "whole", "--quiet"}));
     (void)stop_after(6, SIGTERM);
     const std::vector<KeptRecord> kept = records();
     const std::string bytes = read_text(path(kept.at(5).file));
     const auto record = [&](std::size_t i) { return bytes.substr(kept[i].at, kept[i].size); };
     write(kept[0].file, record(3) + record(1) + record(0));
     write(fs::path(kept[0].file).replace_filename("records_00777.frana"), record(2));
-    ASSERT_EQ(run({"--resume"}).exit_code, 0);
+    succeeded(run({"--resume"}));
     EXPECT_NE(read_text(path("out/log.txt")).find("computed 20 members"), std::string::npos);
     expect_same("whole", "out");
 }
@@ -389,14 +363,13 @@ TEST_F(Ensemble, AnExtendedStudyIsThatOfAllItsMembers) {
     for (const std::string sampling : {"sobol", "random"}) {
         const std::string head = "sampling = " + sampling + "\nsamples = ";
         write_study(head + "60\n", k_two_keys);
-        ASSERT_EQ(frana({"ensemble", "study.ini", "--out", "whole-" + sampling, "--quiet"}).exit_code, 0);
+        succeeded(frana({"ensemble", "study.ini", "--out", "whole-" + sampling, "--quiet"}));
         write_study(head + "16\n", k_two_keys);
-        ASSERT_EQ(run({"--overwrite"}).exit_code, 0);
-        const Outcome extended = run({"--extend", "20"});
-        ASSERT_EQ(extended.exit_code, 0) << extended.err;
+        succeeded(run({"--overwrite"}));
+        succeeded(run({"--extend", "20"}));
         EXPECT_EQ(members().size(), 36U);
         EXPECT_NE(read_text(path("out/log.txt")).find("computed 20 members"), std::string::npos);
-        ASSERT_EQ(run({"--extend", "24", "--threads", "1"}).exit_code, 0);
+        succeeded(run({"--extend", "24", "--threads", "1"}));
         expect_same("whole-" + sampling, "out");
     }
     StartedProgram program(folder_.string(), {"ensemble", "study.ini", "--out", "out", "--extend", "300"});
@@ -404,24 +377,20 @@ TEST_F(Ensemble, AnExtendedStudyIsThatOfAllItsMembers) {
     program.send(SIGTERM);
     ASSERT_EQ(program.wait().exit_code, 128 + SIGTERM);
     EXPECT_EQ(members().size(), 60U) << "the older result stays until then";
-    const Outcome discards = run({"--extend", "300"});
-    EXPECT_EQ(discards.exit_code, 2);
-    EXPECT_NE(discards.err.find("an interrupted study of it is kept"), std::string::npos) << discards.err;
-    ASSERT_EQ(run({"--extend", "300", "--resume"}).exit_code, 0);
+    refusal_of(run({"--extend", "300"}), {"an interrupted study of it is kept"});
+    succeeded(run({"--extend", "300", "--resume"}));
     EXPECT_EQ(members().size(), 360U);
 }
 
 TEST_F(Ensemble, WhatCannotBeExtendedIsRefusedWithTheRemedy) {
     const auto expect_refused = [&](const std::string& more, const std::string& words) {
         const auto before = files();
-        const Outcome outcome = run({"--extend", more});
-        EXPECT_EQ(outcome.exit_code, 2) << words;
-        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+        refusal_of(run({"--extend", more}), {words});
         EXPECT_EQ(files(), before);
     };
     write_study("samples = 8\n", k_two_keys);
     expect_refused("4", "no complete study");
-    ASSERT_EQ(run().exit_code, 0);
+    succeeded(run());
     expect_refused("0", "is not a number of members to add");
     expect_refused("1000000", "1 to 999992");
     write_study("samples = 8\nseed = 2\n", k_two_keys);
@@ -441,8 +410,7 @@ TEST_F(Ensemble, WhatCannotBeExtendedIsRefusedWithTheRemedy) {
 
 TEST_F(Ensemble, UntilStopsWhereTheErrorIsSmallEnough) {
     write_study("samples = 400\nuntil = 0.07\n", k_two_keys);
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run());
     EXPECT_EQ(members().size(), 64U);  // of independent members 0.5 / sqrt(64) = 0.0625 at most
     EXPECT_LE(json_number(read_text(path("out/summary.json")), "largest_standard_error"), 0.0625);
 }
@@ -450,8 +418,7 @@ TEST_F(Ensemble, UntilStopsWhereTheErrorIsSmallEnough) {
 TEST_F(Ensemble, SensitivitiesTellWhichKeyDecides) {
     write_study("samples = 160\n",
                 "[vary]\nmaterial.friction-angle = uniform(10, 24)\nnumerics.cfl = uniform(0.4, 0.5)\n");
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run());
     const gis::Table table = gis::read_table(path("out/sensitivity.csv"), "table");
     bool found = false;
     for (const auto& row : table.rows) {
@@ -476,8 +443,7 @@ TEST_F(Ensemble, MorrisDesignTellsWhichKeyMovesAFigure) {
     write_scene("stop-when-still = off\n[output]\nanimation = off\nframes = off\nmap-size = 640x480\n");
     write_study("samples = 12\nsampling = morris\n",
                 "[vary]\nmaterial.friction-angle = uniform(10, 24)\nnumerics.cfl = uniform(0.4, 0.5)\n");
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run());
     const gis::Table table = gis::read_table(path("out/sensitivity.csv"), "table");
     const auto place = [&](const std::string& column) {
         return static_cast<std::size_t>(std::find(table.columns.begin(), table.columns.end(), column) -
@@ -496,15 +462,13 @@ TEST_F(Ensemble, MorrisDesignTellsWhichKeyMovesAFigure) {
 TEST_F(Ensemble, MapsChartsAndReportAreDrawnAndRenderDrawsTheRest) {
     write_scene("stop-when-still = off\n[output]\nanimation = off\nframes = off\nmap-size = 640x480\n");
     write_study("samples = 8\n", k_two_keys);
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run());
     for (const std::string name :
          {"maps/probability_depth_0.1.png", "maps/probability_velocity_5.png", "maps/quantile_max_depth_95.png",
           "maps/sensitivity_material.turbulence.png", "charts/exceedance.png", "charts/sensitivity.png", "report.html",
           "members.gpkg", "study.ini", "scene.ini", "dtm.tif"})
         EXPECT_TRUE(fs::exists(path("out/" + name))) << name;
-    const Outcome drawn = frana({"render", "out", "--map", "quantile_arrival_time_05", "--map", "hit_count"});
-    EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+    succeeded(frana({"render", "out", "--map", "quantile_arrival_time_05", "--map", "hit_count"}));
     EXPECT_TRUE(fs::exists(path("out/maps/quantile_arrival_time_05.png")));
 }
 
@@ -512,8 +476,7 @@ TEST_F(Ensemble, MapsChartsAndReportAreDrawnAndRenderDrawsTheRest) {
 TEST_F(Ensemble, TheReportHasTheAnswerFirstInTheLanguageOfTheScene) {
     write_scene("stop-when-still = off\n[output]\nanimation = off\nframes = off\nmap-size = 640x480\nlanguage = it\n");
     write_study("samples = 8\nuntil = 0.001\n", k_two_keys);
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run());
     const std::string page = read_text(path("out/report.html")), summary = read_text(path("out/summary.json"));
     for (const std::string& problem : html_problems(page)) ADD_FAILURE() << problem;
     std::size_t before = 0;
@@ -549,8 +512,7 @@ TEST_F(Ensemble, PressureAndIntensityHaveTheProbabilitiesOfWhatTheyAreMadeOf) {
                 "[material]\ndensity = 2000\n[hazard]\nscheme = own.ini\n");
     write("own.ini", own_scheme("depth > ", "0.2 m", "0.5 m"));
     write_study("samples = 12\n", k_two_keys);
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run());
     const auto expect_alike = [&](const std::string& a, const std::string& b) {
         for (const std::string& name : {a, b}) EXPECT_TRUE(fs::exists(path("out/" + name + ".qml"))) << name;
         const Raster first = gis::read_result_raster(path("out/" + a + ".tif")),
@@ -571,11 +533,9 @@ TEST_F(Ensemble, PressureAndIntensityHaveTheProbabilitiesOfWhatTheyAreMadeOf) {
 TEST_F(Ensemble, CheckTellsMembersTimeAndMemory) {
     write_study("samples = 30\n", k_two_keys);
     const auto before = files();
-    const Outcome outcome = frana({"check", "study.ini"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    for (const std::string words : {"is ready to run", "material.turbulence log-uniform(300, 3000)",
-                                    "30, sampling sobol, seed 1", "estimated time", "memory", "-ensemble"})
-        EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
+    const Outcome outcome = succeeded(frana({"check", "study.ini"}));
+    expect_words(outcome.out, {"is ready to run", "material.turbulence log-uniform(300, 3000)",
+                               "30, sampling sobol, seed 1", "estimated time", "memory", "-ensemble"});
     EXPECT_EQ(files(), before);
 }
 

@@ -23,13 +23,10 @@ class Frequency : public Ensemble {
 
     /// Finite volumes, with gauges on the axis of the flow so far east of the DTM's western edge [m].
     void write_frequency_scene(const std::vector<double>& gauges = {45, 122.5, 162.5, 192.5}) const {
-        std::string text =
-            R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [)";
-        for (std::size_t i = 0; i < gauges.size(); ++i)
-            text += (i > 0 ? "," : "") + std::string(R"({"type": "Feature", "properties": {"name": "g)") +
-                    std::to_string(i) + R"("}, "geometry": {"type": "Point", "coordinates": [)" +
-                    std::to_string(k_west + gauges[i]) + ", " + std::to_string(k_south + 72.5) + "]}}";
-        write("gauges.geojson", text + "]}");
+        std::vector<TestFeature> points;
+        for (const double x : gauges)
+            points.push_back({"Point", {{x, 72.5}}, named("g" + std::to_string(points.size()))});
+        write_features("gauges", points);
         write_scene("stop-when-still = off\n[numerics]\nscheme = finite-volume\n" + k_numbers_only +
                     "charts = off\ngauges = gauges.geojson\n");
     }
@@ -73,8 +70,7 @@ const std::string k_volumes = "[frequency]\nvolumes = 2000: 20, 4000: 100, 8000:
 TEST_F(Frequency, RatesOfAPileAtRestAreThoseOfItsVolumes) {
     write_dtm([](int, int column) { return 300 - 0.05 * column * k_cell; });
     write_study("samples = 64\n", "[set]\nmaterial.friction-angle = 45\ntime.end = 1\n" + k_volumes);
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run());
     int compared = 0;
     for (const auto& row : curve("g0")) {
         const double depth = std::stod(row.at("value")), truth = rate_above(depth * k_release_area),
@@ -101,8 +97,7 @@ TEST_F(Frequency, AnUncertainLawOfVolumesWidensTheBand) {
                     "[set]\nmaterial.friction-angle = 45\ntime.end = 1\n[vary]\nrelease.volume = "
                     "pareto(2000, 1.2, 16000)\n[frequency]\nrate = 0.05\n" +
                         more);
-        const Outcome outcome = run({"--overwrite"});
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        succeeded(run({"--overwrite"}));
         return std::pair(band("out/annual_rate_depth_2", 1), band("out/annual_rate_depth_2", 2));
     };
     write("scene.ini", read_text(path("scene.ini")) + "depth-thresholds = 2\n");
@@ -128,15 +123,8 @@ TEST_F(Frequency, AnUncertainLawOfVolumesWidensTheBand) {
 // log-normal curve is the sum of such steps over the hazard curve, which is known in closed form.
 TEST_F(Frequency, DamageOfAPileAtRestIsThatOfItsHazardCurve) {
     write_dtm([](int, int column) { return 300 - 0.05 * column * k_cell; });
-    write(
-        "houses.geojson",
-        R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "EPSG:32632"}}, "features": [)" +
-            std::string(R"({"type": "Feature", "properties": {"kind": "step", "worth": 1000}, "geometry": )") +
-            R"({"type": "Point", "coordinates": [)" + std::to_string(k_west + 45) + ", " +
-            std::to_string(k_south + 72.5) +
-            R"(]}}, {"type": "Feature", "properties": {"kind": "smooth", "worth": 1000}, )" +
-            R"("geometry": {"type": "Point", "coordinates": [)" + std::to_string(k_west + 45) + ", " +
-            std::to_string(k_south + 72.5) + "]}}]}");
+    write_features("houses", {{"Point", {{45, 72.5}}, R"("kind": "step", "worth": 1000)"},
+                              {"Point", {{45, 72.5}}, R"("kind": "smooth", "worth": 1000)"}});
     write("fragility.csv",
           "class,state,loss_ratio,quantity,unit,median,beta\nstep,lost,1,depth,m,2,0\nsmooth,lost,1,depth,m,2,0.3\n");
     write("scene.ini",
@@ -144,8 +132,7 @@ TEST_F(Frequency, DamageOfAPileAtRestIsThatOfItsHazardCurve) {
               "depth-thresholds = 0.1, 2\nexposure = houses.geojson\n[exposure]\nfragility = fragility.csv\n"
               "value = worth\nclass = kind\n");
     write_study("samples = 64\n", "[set]\nmaterial.friction-angle = 45\ntime.end = 1\n" + k_volumes);
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run());
     const gis::Table table = gis::read_table(path("out/exposure.csv"), "exposure");
     const auto number = [&](std::size_t row, const std::string& name) {
         const auto column = std::find(table.columns.begin(), table.columns.end(), name) - table.columns.begin();
@@ -170,7 +157,7 @@ TEST_F(Frequency, DamageOfAPileAtRestIsThatOfItsHazardCurve) {
     write("plain.ini",
           "[study]\nscene = scene.ini\nsamples = 32\n[set]\nmaterial.friction-angle = 45\ntime.end = 1\n[vary]\n"
           "release.volume = uniform(2000, 8000)\n");
-    ASSERT_EQ(frana({"ensemble", "plain.ini", "--out", "plain", "--quiet"}).exit_code, 0);
+    succeeded(frana({"ensemble", "plain.ini", "--out", "plain", "--quiet"}));
     const gis::Table event = gis::read_table(path("plain/exposure.csv"), "exposure");
     const auto of_event = [&](const std::string& name) {
         const auto column = std::find(event.columns.begin(), event.columns.end(), name) - event.columns.begin();
@@ -206,8 +193,7 @@ TEST_F(Frequency, DamageOfAPileAtRestIsThatOfItsHazardCurve) {
 TEST_F(Frequency, RatesAtDistancesAreWithinTheirMargins) {
     write_study("samples = 64\nkeep = all\n",
                 "[set]\ntime.end = 20\n[frequency]\nrate = 0.05 +- 0.02\n" + k_volumes.substr(12));
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run());
     const std::string raster = "out/annual_rate_depth_0.5";
     const std::vector<double> rates = band(raster, 1), margins = band(raster, 2);
     const Rows all = members();
@@ -244,10 +230,9 @@ TEST_F(Frequency, RatesAtDistancesAreWithinTheirMargins) {
 TEST_F(Frequency, OfOneEventTheMapsAreThoseOfTheScenario) {
     write_study("samples = 2\n",
                 "[set]\ntime.end = 20\n[frequency]\nvolumes = 4000: 50\nreturn-periods = 30, 50, 100\n");
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run());
     const std::string end = "time.end=" + members()[0].at("time.end");  // it ran on
-    ASSERT_EQ(frana({"run", "scene.ini", "--set", "release.volume=4000", "--set", end, "--out", "alone"}).exit_code, 0);
+    succeeded(frana({"run", "scene.ini", "--set", "release.volume=4000", "--set", end, "--out", "alone"}));
     const std::vector<double> scenario = band("alone/max_depth", 1), speed = band("alone/max_velocity", 1),
                               rates = band("out/annual_rate_depth_0.5", 1), t30 = band("out/max_depth_T30", 1),
                               t50 = band("out/max_depth_T50", 1), t100 = band("out/max_depth_T100", 1),
@@ -271,29 +256,21 @@ TEST_F(Frequency, SameBitsForAnyNumberOfThreadsAndAfterAKill) {
                 "material.friction-angle = -0.5\n[set]\ntime.end = 20\n" +
                     k_volumes);
     for (const std::string threads : {"1", "2"})
-        ASSERT_EQ(frana({"ensemble", "study.ini", "--out", "out" + threads, "--threads", threads, "--quiet"}).exit_code,
-                  0);
+        succeeded(frana({"ensemble", "study.ini", "--out", "out" + threads, "--threads", threads, "--quiet"}));
     expect_same("out1", "out2");
     EXPECT_EQ(read_text(path("out1/hazard_curves.csv")), read_text(path("out2/hazard_curves.csv")));
     ASSERT_EQ(stop_after(8, SIGKILL).exit_code, -SIGKILL);
-    const Outcome resumed = run({"--resume"});
-    ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+    succeeded(run({"--resume"}));
     expect_same("out1", "out");
     EXPECT_EQ(read_text(path("out1/hazard_curves.csv")), read_text(path("out/hazard_curves.csv")));
 }
 
 TEST_F(Frequency, WithoutOneThereAreNoRatesAndVolumesMustFitTheScene) {
     write_study("samples = 4\n", k_two_keys);
-    ASSERT_EQ(run().exit_code, 0);
-    for (const std::string& name : files())
-        for (const char* of_frequency : {"annual_rate", "_T100", "hazard_curves"})
-            EXPECT_EQ(name.find(of_frequency), std::string::npos) << name;
+    succeeded(run());
+    for (const std::string& name : files()) expect_no_words(name, {"annual_rate", "_T100", "hazard_curves"});
     EXPECT_FALSE(parse_json(read_text(path("out/summary.json"))).contains("frequency"));
-    const auto expect_refused = [&](const std::string& words) {
-        const Outcome outcome = frana({"check", "study.ini"});
-        EXPECT_EQ(outcome.exit_code, 2) << words;
-        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
-    };
+    const auto expect_refused = [&](const std::string& words) { refusal_of(frana({"check", "study.ini"}), {words}); };
     write_study("samples = 4\n", "[frequency]\nvolumes = 2: 20, 4: 100, 8: 400\n");
     expect_refused("not in thousands");
     write("scene.ini",
@@ -310,27 +287,16 @@ class RegionFrequency : public Frequency {
         double west = 20, south = 55;
     };
     void write_sources(const std::vector<TestSource>& sources, const std::string& rest) const {
-        std::string features, columns;
-        for (const TestSource& one : sources) {
-            const auto corner = [&](double x, double y) {
-                return "[" + std::to_string(k_west + one.west + x) + ", " + std::to_string(k_south + one.south + y) +
-                       "]";
-            };
-            features += std::string(features.empty() ? "" : ",\n") + R"({"type": "Feature", "properties": {"NAME": ")" +
-                        one.name + R"(", "RATE": ")" + one.rate + R"(", "VOLUMES": ")" + one.volumes +
-                        R"("}, "geometry": {"type": "Polygon", "coordinates": [[)" + corner(0, 0) + ", " +
-                        corner(50, 0) + ", " + corner(50, 40) + ", " + corner(0, 40) + ", " + corner(0, 0) + "]]}}";
-        }
-        write("perimeter.geojson",
-              R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "EPSG:32632"}}, )"
-              R"("features": [)" +
-                  features + "]}");
+        std::vector<TestFeature> features;
+        for (const TestSource& one : sources)
+            features.push_back(
+                {"Polygon", box(one.west, one.south, one.west + 50, one.south + 40),
+                 R"("NAME": ")" + one.name + R"(", "RATE": ")" + one.rate + R"(", "VOLUMES": ")" + one.volumes + '"'});
+        write_features("perimeter", features);
         write("region.ini", "[region]\nscene = scene.ini\nname = NAME\n" + rest);
     }
     [[nodiscard]] Outcome batch(const std::vector<std::string>& more = {}, const std::string& out = "out") const {
-        std::vector<std::string> arguments{"batch", "region.ini", "--out", out, "--quiet"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        return frana(arguments);
+        return frana(with_more({"batch", "region.ini", "--out", out, "--quiet"}, more));
     }
 };
 const std::string k_columns_of_frequency = "[columns]\nfrequency.rate = RATE\nfrequency.volumes = VOLUMES\n";
@@ -340,8 +306,7 @@ TEST_F(RegionFrequency, RatesOfTwoSlopesAddUpToTheirSum) {
     write_dtm([](int, int column) { return 300 - 0.05 * column * k_cell; });
     write_sources({{"a", "0.05 +- 0.02", "2000: 20, 4000: 100, 8000: 400"}, {"b", "0.1", "2000: 10, 8000: 100"}},
                   "samples = 64\n[set]\nmaterial.friction-angle = 45\ntime.end = 1\n" + k_columns_of_frequency);
-    const Outcome outcome = batch();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(batch());
     int compared = 0;
     for (const auto& row : curve("g0")) {
         const double depth = std::stod(row.at("value")), volume = depth * k_release_area;
@@ -384,9 +349,9 @@ TEST_F(RegionFrequency, OfOneSlopeTheMapsAreThoseOfTheStudy) {
         "material.friction-angle = -0.5\n[set]\ntime.end = 20\n";
     write_sources({{"a", "", "2000: 20, 4000: 100, 8000: 400"}},
                   "samples = 32\nseed = 3\n" + vary + "[columns]\nfrequency.volumes = VOLUMES\n");
-    ASSERT_EQ(batch({}, "region").exit_code, 0);
+    succeeded(batch({}, "region"));
     write_study("samples = 32\nseed = 3\n", vary + k_volumes);
-    ASSERT_EQ(run().exit_code, 0);
+    succeeded(run());
     double greatest = 0;
     for (const std::string name :
          {"annual_rate_depth_0.5", "annual_rate_velocity_5", "max_depth_T100", "max_velocity_T300"})
@@ -403,7 +368,7 @@ TEST_F(RegionFrequency, OfOneSlopeTheMapsAreThoseOfTheStudy) {
 // What is exceeded once in so many years lies in its interval, and the rate at its ends is that of the interval.
 TEST_F(RegionFrequency, ValuesOfAReturnPeriodAreWithinTheirBands) {
     write_study("samples = 64\n", "[set]\ntime.end = 20\n" + k_volumes);
-    ASSERT_EQ(run().exit_code, 0);
+    succeeded(run());
     const std::vector<double> value = band("out/max_depth_T100", 1), low = band("out/max_depth_T100", 2),
                               high = band("out/max_depth_T100", 3);
     int known = 0, wide = 0;
@@ -428,14 +393,14 @@ TEST_F(RegionFrequency, SameBitsForAnyNumberOfThreadsAndAfterAKill) {
     EXPECT_EQ(slopes[0].at("annual_rate_deviation"), 0);
     EXPECT_EQ(slopes[1].at("annual_rate"), 0.02);
     EXPECT_EQ(slopes[1].at("annual_rate_deviation"), 0.01);
-    for (const std::string threads : {"1", "2"}) ASSERT_EQ(batch({"--threads", threads}, "out" + threads).exit_code, 0);
+    for (const std::string threads : {"1", "2"}) succeeded(batch({"--threads", threads}, "out" + threads));
     {
         StartedProgram program(folder_.string(), {"batch", "region.ini", "--out", "out", "--threads", "2"});
         EXPECT_TRUE(program.wait_until([&] { return records().size() >= 8; }));
         program.send(SIGKILL);
         ASSERT_EQ(program.wait().exit_code, -SIGKILL);
     }
-    ASSERT_EQ(batch({"--resume"}).exit_code, 0);
+    succeeded(batch({"--resume"}));
     for (const std::string other : {"out2", "out"}) {
         for (const char* name : {"annual_rate_depth_0.5", "max_depth_T100"})
             for (const int number : {1, 2})
@@ -447,9 +412,7 @@ TEST_F(RegionFrequency, SameBitsForAnyNumberOfThreadsAndAfterAKill) {
 TEST_F(RegionFrequency, WhatAFrequencyNeedsIsAsked) {
     const auto expect_refused = [&](const std::string& rest, const std::string& words) {
         write_sources({{"a", "0.05", "2000: 20"}}, rest);
-        const Outcome outcome = frana({"check", "region.ini"});
-        EXPECT_EQ(outcome.exit_code, 2) << words;
-        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+        refusal_of(frana({"check", "region.ini"}), {words});
     };
     const std::string vary = "[vary]\nmaterial.friction-angle = uniform(12, 20)\n";
     expect_refused(vary, "needs a frequency");
@@ -459,15 +422,13 @@ TEST_F(RegionFrequency, WhatAFrequencyNeedsIsAsked) {
     expect_refused(vary + "[columns]\nfrequency.rate = RAT\n", "Did you mean RATE?");
     expect_refused("[columns]\nfrequency.rate = RATE\nmaterial.friction-angle = VOLUMES\n" + vary, "also has a column");
     write_sources({{"a", "0.05", ""}, {"b", "5 %", ""}}, vary + "[columns]\nfrequency.rate = RATE\n");
-    const Outcome outcome = frana({"check", "region.ini"});
-    EXPECT_EQ(outcome.exit_code, 0) << "the other slope runs";
+    const Outcome outcome = succeeded(frana({"check", "region.ini"}));
     EXPECT_NE(outcome.out.find("is not a number of events a year"), std::string::npos) << outcome.out;
     // One slope without volumes fails alone, whether something else varies or not.
     for (const std::string& more : {std::string(), vary}) {
         write_sources({{"a", "", "abc"}, {"b", "", "2000: 20, 4000: 100"}},
                       "samples = 16\n" + more + "[set]\ntime.end = 1\n[columns]\nfrequency.volumes = VOLUMES\n");
-        const Outcome check = frana({"check", "region.ini"});
-        EXPECT_EQ(check.exit_code, 0) << check.err;
+        const Outcome check = succeeded(frana({"check", "region.ini"}));
         EXPECT_NE(check.out.find("is not of the form 8000: 20"), std::string::npos) << check.out;
         EXPECT_EQ(batch({"--overwrite"}).exit_code, 3) << "half of the runs failed";
         EXPECT_EQ(members().size(), 32U);
@@ -479,7 +440,7 @@ TEST_F(RegionFrequency, KeptMembersWithTheirRatesMakeTheMapAgain) {
     write_sources({{"a", "0.05", ""}, {"b", "0.02 +- 0.01", "", 25, 20}},
                   "samples = 16\nkeep = all\n[vary]\nmaterial.friction-angle = uniform(12, 20)\n[set]\ntime.end = "
                   "20\n[columns]\nfrequency.rate = RATE\n");
-    ASSERT_EQ(batch().exit_code, 0);
+    succeeded(batch());
     std::vector<double> sums(static_cast<std::size_t>(k_columns * k_rows));
     double all = 0;
     for (const auto& member : members()) {
@@ -498,7 +459,7 @@ TEST_F(RegionFrequency, KeptMembersWithTheirRatesMakeTheMapAgain) {
 // Depth times the square of the speed at one moment, never more than of both maxima.
 TEST_F(Frequency, MomentumFluxIsRecordedWhereItIsAskedFor) {
     write("scene.ini", read_text(path("scene.ini")) + "momentum-flux-thresholds = 20\nrasters = max_momentum_flux\n");
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "alone"}).exit_code, 0);
+    succeeded(frana({"run", "scene.ini", "--out", "alone"}));
     const std::vector<double> momentum = band("alone/max_momentum_flux", 1), depth = band("alone/max_depth", 1),
                               speed = band("alone/max_velocity", 1);
     double greatest = 0;
@@ -510,7 +471,7 @@ TEST_F(Frequency, MomentumFluxIsRecordedWhereItIsAskedFor) {
     }
     EXPECT_GT(greatest, 20);
     write_study("samples = 16\n", "[set]\ntime.end = 20\n" + k_volumes);
-    ASSERT_EQ(run().exit_code, 0);
+    succeeded(run());
     const std::vector<double> rates = band("out/annual_rate_momentum_flux_20", 1),
                               chances = band("out/probability_momentum_flux_20", 1);
     EXPECT_GT(*std::max_element(rates.begin(), rates.end()), 0);

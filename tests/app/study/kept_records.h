@@ -3,13 +3,27 @@
 
 #include <cstdint>
 #include <cstring>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "gis/access/table_in.h"
 #include "support/files.h"
 
 namespace frana::test {
+
+/// A table by row and column.
+using Rows = std::vector<std::map<std::string, std::string>>;
+inline Rows rows_of(const std::string& file) {
+    const gis::Table table = gis::read_table(file, "table");
+    Rows rows;
+    for (const auto& cells : table.rows) {
+        auto& row = rows.emplace_back();
+        for (std::size_t i = 0; i < cells.size(); ++i) row[table.columns[i]] = cells[i];
+    }
+    return rows;
+}
 
 /// A whole record in a file of a study that is being built.
 struct KeptRecord {

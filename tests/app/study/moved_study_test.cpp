@@ -31,14 +31,9 @@ class MovedStudy : public Ensemble {
     }
     [[nodiscard]] Outcome study(const std::string& file, const std::string& out,
                                 const std::vector<std::string>& more = {}) const {
-        std::vector<std::string> arguments{"ensemble", file, "--out", out, "--threads", "2"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        return frana(arguments);
+        return frana(with_more({"ensemble", file, "--out", out, "--threads", "2"}, more));
     }
-    void compute() const {
-        const Outcome outcome = study("project/study.ini", "project/results/many", {"--quiet"});
-        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    }
+    void compute() const { succeeded(study("project/study.ini", "project/results/many", {"--quiet"})); }
     void move_project() const {
         fs::create_directories(folder_ / "elsewhere/far");
         fs::rename(folder_ / "project", folder_ / "elsewhere/far/project");
@@ -73,8 +68,7 @@ TEST_F(MovedStudy, TheResultNamesNoAbsolutePathButInItsRecordOfInputs) {
 TEST_F(MovedStudy, AMovedResultIsRepeatedWithTheSameBits) {
     compute();
     move_project();
-    const Outcome again = study(k_result + "/study.ini", "again", {"--quiet"});
-    ASSERT_EQ(again.exit_code, 0) << again.err;
+    const Outcome again = succeeded(study(k_result + "/study.ini", "again", {"--quiet"}));
     const Rows then = members(k_result), now = members("again");
     ASSERT_EQ(then.size(), now.size());
     for (std::size_t i = 0; i < then.size(); ++i)
@@ -90,15 +84,13 @@ TEST_F(MovedStudy, AMovedResultIsRepeatedWithTheSameBits) {
         }
     }
     // A member alone, as `frana run`.
-    const Outcome member = frana({"run", k_result + "/members/member_0000001/scene.ini", "--out", "one", "--quiet"});
-    EXPECT_EQ(member.exit_code, 0) << member.err;
+    succeeded(frana({"run", k_result + "/members/member_0000001/scene.ini", "--out", "one", "--quiet"}));
 }
 
 TEST_F(MovedStudy, TheFinishedResultIsRecognised) {
     compute();
     move_project();
-    const Outcome outcome = study("elsewhere/far/project/study.ini", k_result, {"--resume"});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = succeeded(study("elsewhere/far/project/study.ini", k_result, {"--resume"}));
     EXPECT_NE(outcome.err.find("the study is complete"), std::string::npos) << outcome.err;
 }
 
@@ -113,8 +105,7 @@ TEST_F(MovedStudy, AStoppedStudyIsResumedAfterTheMove) {
         EXPECT_NE(program.wait().exit_code, 0);
     }
     move_project();
-    const Outcome outcome = study("elsewhere/far/project/study.ini", k_result, {"--resume"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(study("elsewhere/far/project/study.ini", k_result, {"--resume"}));
     EXPECT_EQ(members(k_result).size(), 40U);
     const std::string log = read_text(path(k_result + "/log.txt"));
     EXPECT_EQ(log.find("computed 40 members"), std::string::npos) << log;  // those from before the move were kept
@@ -124,9 +115,7 @@ TEST_F(MovedStudy, AMissingSceneIsOneClearError) {
     compute();
     move_project();
     fs::remove(folder_ / "elsewhere/far/project/scene.ini");
-    const Outcome outcome = study(k_result + "/study.ini", "again");
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_NE(outcome.err.find(path("elsewhere/far/project/scene.ini")), std::string::npos) << outcome.err;
+    refusal_of(study(k_result + "/study.ini", "again"), {path("elsewhere/far/project/scene.ini")});
     EXPECT_FALSE(fs::exists(folder_ / "again"));
 }
 
@@ -135,8 +124,7 @@ TEST_F(MovedStudy, AnInputWithAnotherContentIsWarnedOf) {
     move_project();
     write("elsewhere/far/project/data/other.geojson",
           read_text(path("elsewhere/far/project/data/other.geojson")) + "\n");
-    const Outcome outcome = study(k_result + "/study.ini", "again");
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = succeeded(study(k_result + "/study.ini", "again"));
     EXPECT_NE(outcome.err.find("other.geojson changed since this result"), std::string::npos) << outcome.err;
 }
 

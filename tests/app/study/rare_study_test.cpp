@@ -19,12 +19,7 @@ class RareStudy : public Ensemble {
         write_gauges(222);
     }
     /// A gauge on the axis of the flow, so far east of the DTM's western edge [m].
-    void write_gauges(double east) const {
-        write(
-            "gauges.geojson",
-            R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [{"type": "Feature", "properties": {"name": "house"}, "geometry": {"type": "Point", "coordinates": [)" +
-                std::to_string(k_west + east) + ", " + std::to_string(k_south + 72.5) + "]}}]}");
-    }
+    void write_gauges(double east) const { write_features("gauges", {{"Point", {{east, 72.5}}, named("house")}}); }
     void write_rare(const std::string& head) const { write_study(head, k_keys); }
     const std::string k_keys = "[set]\ntime.end = 1.2\n" + k_two_keys;  // they run on to 12 s
     const std::string k_importance = "sampling = importance\nrare-place = house\n";
@@ -37,13 +32,12 @@ class RareStudy : public Ensemble {
 // The truth is that of 512 members of an even design, whose own error counts too.
 TEST_F(RareStudy, TheHouseIsReachedAsOftenAsManyPlainRunsSay) {
     write_rare("samples = 512\n");
-    ASSERT_EQ(run().exit_code, 0);
+    succeeded(run());
     const int row = 15, column = 44;
     const double plain = probability("probability_depth_0.1", row, column);
     fs::remove_all(path("out"));
     write_rare("samples = 64\n" + k_importance);
-    const Outcome outcome = run();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    succeeded(run());
     const nlohmann::json rare = rare_place();
     const double p = rare.at("probability"), error = rare.at("standard_error");
     std::printf("512 even members: %g; 64 members: %g +- %g, %g of them came\n", plain, p, error,
@@ -66,28 +60,24 @@ TEST_F(RareStudy, TheHouseIsReachedAsOftenAsManyPlainRunsSay) {
 TEST_F(RareStudy, SameBitsForAnyNumberOfThreadsAndAfterAKill) {
     write_rare("samples = 64\n" + k_importance);
     for (const std::string threads : {"1", "3"})
-        ASSERT_EQ(frana({"ensemble", "study.ini", "--out", "out" + threads, "--threads", threads, "--quiet"}).exit_code,
-                  0);
+        succeeded(frana({"ensemble", "study.ini", "--out", "out" + threads, "--threads", threads, "--quiet"}));
     expect_same("out1", "out3");
     ASSERT_EQ(stop_after(40, SIGKILL).exit_code, -SIGKILL);  // within the second round
-    const Outcome resumed = run({"--resume"});
-    ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+    succeeded(run({"--resume"}));
     expect_same("out1", "out");
 }
 
 // With every run cut nobody knows: from nothing to one, as the map has it.
 TEST_F(RareStudy, RunsThatWereCutMayHaveComeThere) {
     write_study("samples = 64\n" + k_importance, "[set]\ntime.end = 0.6\n" + k_two_keys);
-    ASSERT_EQ(run().exit_code, 0);
+    succeeded(run());
     EXPECT_EQ(parse_json(read_text(path("out/summary.json")))["run_troubles"]["cut"], 64);
     EXPECT_EQ(rare_place().at("interval_95").at(1), 1);
 }
 
 TEST_F(RareStudy, WhatDoesNotGoTogetherIsRefused) {
     const auto expect_refused = [&](const std::string& words) {
-        const Outcome outcome = run();
-        EXPECT_EQ(outcome.exit_code, 2) << words;
-        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+        refusal_of(run(), {words});
         EXPECT_FALSE(fs::exists(path("out")));
     };
     write_rare("samples = 64\nsampling = importance\nrare-place = hose\n");

@@ -14,9 +14,6 @@
 
 namespace frana::test {
 
-/// members.csv by row and column.
-using Rows = std::vector<std::map<std::string, std::string>>;
-
 class Ensemble : public TinyScene {
   protected:
     Ensemble() { write_scene("stop-when-still = off\n" + k_numbers_only + "charts = off\n"); }
@@ -25,9 +22,7 @@ class Ensemble : public TinyScene {
         write("study.ini", "[study]\nscene = scene.ini\n" + head + rest);
     }
     [[nodiscard]] Outcome run(const std::vector<std::string>& more = {}) const {
-        std::vector<std::string> arguments{"ensemble", "study.ini", "--out", "out", "--quiet"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        return frana(arguments);
+        return frana(with_more({"ensemble", "study.ini", "--out", "out", "--quiet"}, more));
     }
     /// Whole ones of a study that is being built.
     [[nodiscard]] std::vector<KeptRecord> records() const {
@@ -49,13 +44,7 @@ class Ensemble : public TinyScene {
         return program.wait();
     }
     [[nodiscard]] Rows members(const std::string& result = "out") const {
-        const gis::Table table = gis::read_table(path(result + "/members.csv"), "members");
-        Rows rows;
-        for (const auto& cells : table.rows) {
-            auto& row = rows.emplace_back();
-            for (std::size_t i = 0; i < cells.size(); ++i) row[table.columns[i]] = cells[i];
-        }
-        return rows;
+        return rows_of(path(result + "/members.csv"));
     }
     [[nodiscard]] double probability(const std::string& name, int row, int column) const {
         return gis::read_result_raster(path("out/" + name + ".tif")).at(row, column);

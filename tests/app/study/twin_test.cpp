@@ -142,8 +142,7 @@ class Twin : public TinyScene {
             arguments.emplace_back("--set");
             arguments.push_back(one + (one.starts_with("terrain.error") ? ", " + std::to_string(twin) : ""));
         }
-        const Outcome run = frana(arguments);
-        EXPECT_EQ(run.exit_code, 0) << run.err;
+        succeeded(frana(arguments));
         const Raster depth = gis::read_result_raster(path(out + "/max_depth.tif"));
         const SurveyError error(1000 + twin, noise * k_cell);
         MultiPolygon trace = gis::polygonise(trace_mask(depth, k_trace_threshold));
@@ -211,9 +210,7 @@ double uniform_probability(std::vector<double> ranks) {
 
 // Members run in batches: what a batch reached must not decide which cells of a surveyed deposit count.
 TEST_F(Twin, AllBatchesAreComparedOverTheSameCells) {
-    const Outcome ran = frana(
-        {"run", "scene.ini", "--out", "long", "--quiet", "--set", "time.end=15", "--set", "material.friction-angle=8"});
-    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    ran("long", {"time.end=15", "material.friction-angle=8"});
     write_polygon("small", {{20, 60}, {40, 60}, {40, 90}, {20, 90}});
     write("study.ini",
           "[study]\nscene = scene.ini\nsamples = 4\n[objective]\njaccard = 1\ndeposit-depth = 1\n[set]\ntime.end = 15\n"
