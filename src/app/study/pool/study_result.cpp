@@ -93,14 +93,6 @@ Warnings kinds_of_warnings(const std::vector<MemberRecord>& runs, const Warnings
     return sentences;
 }
 
-std::vector<std::string> end_values(const MemberEnd& end) {
-    const bool ran = !end.stop_reason.empty();
-    const auto cell = [&](double value) { return ran && !std::isnan(value) ? shortest_text(value) : std::string(); };
-    return {end.stop_reason,         cell(end.moving_fraction),
-            cell(end.left_fraction), ran ? std::to_string(static_cast<int>(end.is_held)) : "",
-            cell(end.energy_error),  std::to_string(end.warnings.size())};
-}
-
 namespace {
 
 /// Some of all runs, with weights that add up to 1.
@@ -231,8 +223,7 @@ StudyResult read_study_result(const StudyInput& input, const std::string& folder
     FinishedMembers all;
     std::vector<std::size_t> everyone;
     for (std::size_t member = 0; member < count; ++member) {
-        const MemberRecord& one =
-            result.members.emplace_back(without_cells(require_own_record(input, records.place(member), member)));
+        const MemberRecord& one = result.members.emplace_back(without_cells(require_record(records.place(member))));
         all.records.push_back(records.place(member));
         all.weights.push_back(input.table.weights[member]);
         if (input.table.is_replicated) all.replicates.push_back(input.table.replicate_of(member));
