@@ -88,10 +88,6 @@ inline constexpr const char* k_volume_key = "release.volume";
 struct Correlation {
     std::string first, second;
     double rho = 0;
-
-    [[nodiscard]] bool is_of_the_keys_of(const Correlation& other) const {
-        return (first == other.first && second == other.second) || (first == other.second && second == other.first);
-    }
 };
 
 enum class Sampling {

@@ -359,11 +359,6 @@ void check_evidence(const StudyInput& input, Problems& problems) {
                           "Give an event " + sources[m] + ", or remove the line"});
 }
 
-/// Measures the survey as the members will be compared with it.
-void check_survey(const StudySpec& calibration, std::size_t event, const Prepared& base, Problems& problems) {
-    attempt(problems, [&] { const EventSurvey survey(base, calibration.events[event], calibration.objective, {}); });
-}
-
 /// Figures and outlines of a member use the survey's threshold, and records contain what is compared.
 void compare_by_survey(const StudySpec& calibration, StudyInput& input) {
     input.base.spec.output.trace_threshold = observed_threshold(input.base.spec);
@@ -440,7 +435,8 @@ void prepare_events(StudyInput& input, const std::optional<Problem>& place, RunL
     problems.throw_if_any();
     check_evidence(input, problems);
     problems.throw_if_any();
-    for (std::size_t e = 0; e < input.events(); ++e) check_survey(calibration, e, input.own[e].base, problems);
+    for (std::size_t e = 0; e < input.events(); ++e)  // as the members will be compared with it
+        attempt(problems, [&] { EventSurvey(input.own[e].base, calibration.events[e], calibration.objective, {}); });
     problems.throw_if_any();
     input.identity = study_text(with_files(calibration, without_folder));
     for (std::size_t e = 0; e < input.events(); ++e) {

@@ -334,7 +334,10 @@ void StudyReader::add_correlation(const std::string& keys, const IniEntry& entry
         return refuse("is not a rank correlation", entry, "greater than -1, less than 1", "");
     const Correlation one{present_name(words[0]), present_name(words[1]), *rho};
     auto& all = study_.correlate;
-    if (std::any_of(all.begin(), all.end(), [&](const auto& other) { return one.is_of_the_keys_of(other); }))
+    const auto is_same = [&](const Correlation& other) {
+        return std::minmax(one.first, one.second) == std::minmax(other.first, other.second);
+    };
+    if (std::any_of(all.begin(), all.end(), is_same))
         return refuse("is given more than once, in either order", entry, "", "Keep one of the lines");
     all.push_back(one);
 }

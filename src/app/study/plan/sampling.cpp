@@ -89,37 +89,30 @@ std::optional<ValueProblem> refusal_of(const Parameter& key, const Distribution&
     return std::nullopt;
 }
 
-namespace {
-
-constexpr double k_member_seeds = 9007199254740992.0;  // 2^53: every place in [0, 1) is a seed of its own
-
-/// A value as text, and as a number for statistics.
-using Value = std::pair<std::string, double>;
-
-Value nominal_value(const Distribution& distribution, double place) {
-    if (distribution.law == Law::gaussian_field) {
-        const auto seed = static_cast<std::int64_t>(place * k_member_seeds);
-        return {shortest_text(distribution.numbers[0]) + ", " + shortest_text(distribution.numbers[1]) + ", " +
-                    std::to_string(seed),
-                place};
-    }
+double option_at(const Distribution& choice, double place) {
     double sum = 0;
     std::size_t index = 0;
-    for (; index + 1 < distribution.values.size(); ++index)
-        if (place < (sum += distribution.weights[index])) break;
-    return {distribution.values[index], static_cast<double>(index)};
+    for (; index + 1 < choice.weights.size(); ++index)
+        if (place < (sum += choice.weights[index])) break;
+    return static_cast<double>(index);
 }
 
-/// Returns the values of one key at places in (0, 1).
-std::vector<Value> values_at(const Distribution& distribution, const std::vector<double>& places) {
-    std::vector<Value> values;
-    if (distribution.is_nominal()) {
-        for (const double place : places) values.push_back(nominal_value(distribution, place));
-    } else {
-        for (const double value : openturns().quantiles(distribution, places))
-            values.emplace_back(shortest_text(value), value);
-    }
-    return values;
+std::vector<double> numbers_at(const Distribution& distribution, std::vector<double> places) {
+    if (!distribution.is_nominal()) return openturns().quantiles(distribution, places);
+    for (double& place : places)
+        if (distribution.law == Law::choice) place = option_at(distribution, place);
+    return places;
+}
+
+namespace {
+
+/// The value of a key, as after `--set`, that has a number.
+std::string text_of(const Distribution& distribution, double number) {
+    if (distribution.law == Law::choice) return distribution.values[static_cast<std::size_t>(number)];
+    if (distribution.law != Law::gaussian_field) return shortest_text(number);
+    constexpr double k_seeds = 9007199254740992.0;  // 2^53: every place in [0, 1) is a seed of its own
+    return shortest_text(distribution.numbers[0]) + ", " + shortest_text(distribution.numbers[1]) + ", " +
+           std::to_string(static_cast<std::int64_t>(number * k_seeds));
 }
 
 SampleTable empty_table(const StudySpec& study) {
@@ -129,16 +122,6 @@ SampleTable empty_table(const StudySpec& study) {
         table.nominal.push_back(one.distribution.is_nominal());
     }
     return table;
-}
-
-void add_member(const std::vector<Value>& values, double weight, SampleTable& table) {
-    auto& texts = table.values.emplace_back();
-    auto& numbers = table.numbers.emplace_back();
-    for (const auto& [text, number] : values) {
-        texts.push_back(text);
-        numbers.push_back(number);
-    }
-    table.weights.push_back(weight);
 }
 
 /// Of an unbounded distribution a value may lie outside the key's range.
@@ -232,19 +215,22 @@ SampleTable samples_at(const StudySpec& study, const Places& independent, const 
                        Problems& problems) {
     SampleTable table = empty_table(study);
     table.places = independent;
-    const std::vector<double> weights = spread_volumes(study, table.places);
+    std::vector<double> weights = spread_volumes(study, table.places);
     if (!study.correlate.empty() && !openturns().correlate(study, table.places)) {
         problems.add({"no distribution has all these correlations at once", Place(label, "correlate"), "", "",
                       "Bring them nearer to 0"});
         return empty_table(study);
     }
-    std::vector<std::vector<Value>> of_keys;
-    for (std::size_t k = 0; k < study.vary.size(); ++k)
-        of_keys.push_back(values_at(study.vary[k].distribution, column_of(table.places, k)));
-    for (std::size_t i = 0; i < table.places.size(); ++i) {
-        std::vector<Value> values;
-        for (const std::vector<Value>& of_key : of_keys) values.push_back(of_key[i]);
-        add_member(values, weights[i], table);
+    table.weights = std::move(weights);
+    table.values.resize(table.places.size());
+    table.numbers.resize(table.places.size());
+    for (std::size_t k = 0; k < study.vary.size(); ++k) {
+        const Distribution& distribution = study.vary[k].distribution;
+        const std::vector<double> numbers = numbers_at(distribution, column_of(table.places, k));
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            table.numbers[i].push_back(numbers[i]);
+            table.values[i].push_back(text_of(distribution, numbers[i]));
+        }
     }
     check_values(study, table, label, problems);
     return table;
@@ -342,11 +328,12 @@ SampleTable samples_of_table(const std::vector<std::string>& columns, const std:
     std::vector<std::map<std::string, double>> first(of_key.size());  // row of each text
     for (std::size_t row = 0; row < rows.size(); ++row) {
         if (is_blank(rows[row])) continue;
-        std::vector<Value> values;
+        std::vector<std::string> texts;
+        std::vector<double> numbers;
         for (std::size_t k = 0; k < of_key.size(); ++k) {
-            const std::string& text = rows[row][of_key[k]];
-            values.emplace_back(text, table.nominal[k] ? first[k].emplace(text, static_cast<double>(row)).first->second
-                                                       : *number_from_text(text));
+            const std::string& text = texts.emplace_back(rows[row][of_key[k]]);
+            numbers.push_back(table.nominal[k] ? first[k].emplace(text, static_cast<double>(row)).first->second
+                                               : *number_from_text(text));
         }
         const auto weight = weights ? weight_from(rows[row][*weights]) : 1;
         if (!weight)
@@ -354,29 +341,15 @@ SampleTable samples_of_table(const std::vector<std::string>& columns, const std:
                 {"is not a weight", where + ": " + k_weight_column, rows[row][*weights],
                  "0, or from " + shortest_text(k_least_table_weight) + " to " + shortest_text(k_most_table_weight),
                  "Correct row " + std::to_string(row + 1)});
-        else if (*weight > 0)
-            add_member(values, *weight, table);
+        if (!weight || *weight == 0) continue;
+        table.values.push_back(std::move(texts));
+        table.numbers.push_back(std::move(numbers));
+        table.weights.push_back(*weight);
     }
     if (table.size() == 0 && problems.empty())
         problems.add(
             {"has no weight greater than 0", where + ": " + k_weight_column, "", "", "Give a member a weight"});
     return table;
-}
-
-DesignPoints dense_points(const StudySpec& study, std::int64_t count) {
-    StudySpec dense = study;
-    dense.sampling = Sampling::sobol;
-    dense.samples = count;
-    DesignPoints points;
-    points.places = draw_places(dense, true);
-    if (!study.correlate.empty()) openturns().correlate(dense, points.places);
-    points.numbers = points.places;
-    for (std::size_t k = 0; k < study.vary.size(); ++k) {
-        points.nominal.push_back(study.vary[k].distribution.is_nominal());
-        for (std::size_t i = 0; i < points.places.size() && points.nominal[k]; ++i)
-            points.numbers[i][k] = nominal_value(study.vary[k].distribution, points.places[i][k]).second;
-    }
-    return points;
 }
 
 std::vector<std::string> central_values(const StudySpec& study) {
@@ -388,7 +361,7 @@ std::vector<std::string> central_values(const StudySpec& study) {
             const auto likeliest = std::max_element(d.weights.begin(), d.weights.end()) - d.weights.begin();
             list.push_back(one.key + "=" + d.values[static_cast<std::size_t>(likeliest)]);
         } else {
-            list.push_back(one.key + "=" + values_at(d, {0.5}).front().first);
+            list.push_back(one.key + "=" + text_of(d, numbers_at(d, {0.5}).front()));
         }
     }
     return list;

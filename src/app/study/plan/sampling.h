@@ -6,7 +6,6 @@
 #include <variant>
 #include <vector>
 
-#include "app/study/openturns/functions.h"
 #include "app/study/study_spec.h"
 #include "core/error.h"
 #include "params/keys/parameter.h"
@@ -82,9 +81,10 @@ inline constexpr double k_least_table_weight = 1e-100,
 SampleTable samples_of_table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows,
                              const Place& where, Problems& problems);
 
-/// Returns the places of many members of a study, and of keys without order their numbers, as SampleTable has them; of
-/// the others the places stand for both.
-DesignPoints dense_points(const StudySpec& study, std::int64_t count);
+/// The option of a choice that has a place.
+double option_at(const Distribution& choice, double place);
+/// Returns the numbers of one key at places in (0, 1), as SampleTable has them.
+std::vector<double> numbers_at(const Distribution& distribution, std::vector<double> places);
 
 /// Returns the overrides of the central member: medians, likeliest choices, no error of the terrain.
 std::vector<std::string> central_values(const StudySpec& study);

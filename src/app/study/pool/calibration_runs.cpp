@@ -47,7 +47,7 @@ void compare_members(const StudyInput& input, std::size_t event, const StudyInpu
     FinishedMembers finished;
     const RecordFiles records(runs.records);
     for (std::size_t i = first; i < members.table.size(); ++i) {
-        runs.members.push_back(without_cells(require_own_record(members, records.place(i), i)));
+        runs.members.push_back(without_cells(require_record(records.place(i))));
         if (runs.members.back().failure.empty()) finished.records.push_back(records.place(i));
     }
     const EventSurvey survey(base, input.spec().events[event], input.spec().objective,

@@ -67,12 +67,6 @@ std::optional<MemberRecord> own_record(const StudyInput& input, const RecordPlac
     return is_own ? std::move(record) : std::nullopt;
 }
 
-MemberRecord require_own_record(const StudyInput& input, const RecordPlace& place, std::size_t member) {
-    if (auto record = own_record(input, place, member)) return *std::move(record);
-    throw Error(ErrorKind::environment, Problem{"the record of member " + std::to_string(member) + " cannot be read",
-                                                place.file, "", "", "--resume computes that member again"});
-}
-
 namespace {
 
 /// Whether a member is run again for longer because time.end cut it: not if that is one of its values, if a table gives

@@ -36,8 +36,6 @@ void serialise(Archive& archive, MemberTask& task) {
 
 /// Returns the record of a member of this study: with its number and its values; none if there is no such record.
 std::optional<MemberRecord> own_record(const StudyInput& input, const RecordPlace& place, std::size_t member);
-/// The same of one that must be there. Throws Error(environment).
-MemberRecord require_own_record(const StudyInput& input, const RecordPlace& place, std::size_t member);
 
 /// Returns the wall time of a member of the table on one thread, from its files to its record [s]; none if it takes
 /// more processor time than `most`. Throws Error(environment).

@@ -93,14 +93,6 @@ Warnings kinds_of_warnings(const std::vector<MemberRecord>& runs, const Warnings
     return sentences;
 }
 
-std::vector<std::string> end_values(const MemberEnd& end) {
-    const bool ran = !end.stop_reason.empty();
-    const auto cell = [&](double value) { return ran && !std::isnan(value) ? shortest_text(value) : std::string(); };
-    return {end.stop_reason,         cell(end.moving_fraction),
-            cell(end.left_fraction), ran ? std::to_string(static_cast<int>(end.is_held)) : "",
-            cell(end.energy_error),  std::to_string(end.warnings.size())};
-}
-
 namespace {
 
 /// Some of all runs, with weights that add up to 1.
@@ -215,14 +207,9 @@ Interval StudyResult::quantile_of(std::size_t index, double q) const {
 
 double StudyResult::quantile_bound(std::size_t index, double q) const {
     if (!any_open()) return weighted_quantile(figure(index), finished.weights, q);
-    std::vector<double> values;
-    for (std::size_t i = 0; i < members.size(); ++i) {
-        const std::vector<Figure>& of = members[i].figures;
-        values.push_back(is_open[i]          ? std::numeric_limits<double>::infinity()
-                         : index < of.size() ? of[index].value
-                                             : 0);  // it failed before its first step
-    }
-    return weighted_quantile(values, all.weights, q);
+    std::vector<double> values;  // 0: it failed before its first step
+    for (const MemberRecord& one : members) values.push_back(index < one.figures.size() ? one.figures[index].value : 0);
+    return weighted_quantile(at_most(std::span<const double>(values)), all.weights, q);
 }
 
 const std::vector<Figure>& StudyResult::figures() const {
@@ -236,8 +223,7 @@ StudyResult read_study_result(const StudyInput& input, const std::string& folder
     FinishedMembers all;
     std::vector<std::size_t> everyone;
     for (std::size_t member = 0; member < count; ++member) {
-        const MemberRecord& one =
-            result.members.emplace_back(without_cells(require_own_record(input, records.place(member), member)));
+        const MemberRecord& one = result.members.emplace_back(without_cells(require_record(records.place(member))));
         all.records.push_back(records.place(member));
         all.weights.push_back(input.table.weights[member]);
         if (input.table.is_replicated) all.replicates.push_back(input.table.replicate_of(member));
@@ -262,19 +248,16 @@ std::optional<RarePlace> rare_place_of(const StudyInput& input, const StudyResul
     const auto cell = cell_at(result.grid, rare.event.place);
     // The maps of a large terrain may end before a place that nothing reaches.
     const std::vector<std::vector<std::size_t>> cells{cell ? std::vector{*cell} : std::vector<std::size_t>{}};
-    for_each_feature(result, Quantity::depth, result.grid, cells,
-                     [&](std::size_t, std::span<const float> finished, std::span<const float> all) {
-                         rare.probability = MeanEstimate(result.finished).probability(finished, rare.event.threshold);
-                         for (const float depth : finished)
-                             rare.hits += static_cast<double>(depth) > rare.event.threshold ? 1 : 0;
-                         std::vector<float> most(all.begin(), all.end());
-                         for (std::size_t run = 0; run < most.size(); ++run)
-                             if (result.is_open[run]) most[run] = std::numeric_limits<float>::infinity();
-                         rare.high = rare.probability.high();
-                         if (result.any_open())
-                             rare.high = std::max(
-                                 rare.high, MeanEstimate(result.all).probability(most, rare.event.threshold).high());
-                     });
+    for_each_feature(
+        result, Quantity::depth, result.grid, cells,
+        [&](std::size_t, std::span<const float> finished, std::span<const float> all) {
+            rare.probability = MeanEstimate(result.finished).probability(finished, rare.event.threshold);
+            for (const float depth : finished) rare.hits += static_cast<double>(depth) > rare.event.threshold ? 1 : 0;
+            rare.high = rare.probability.high();
+            if (result.any_open())
+                rare.high = std::max(
+                    rare.high, MeanEstimate(result.all).probability(result.at_most(all), rare.event.threshold).high());
+        });
     return rare;
 }
 
@@ -282,7 +265,7 @@ double largest_error(const StudyInput& input, const StudyResult& result) {
     double largest = 0;
     for (const MappedEvents& events : mapped_events(input.base.spec))
         largest =
-            std::max(largest, error_of(result.finished, events.quantity, result.grid, events.thresholds).largest());
+            std::max(largest, quantity_maps(result, events.quantity, result.grid, events.thresholds).errors.largest());
     return largest;
 }
 

@@ -31,8 +31,6 @@ Warnings kinds_of_warnings(const std::vector<MemberRecord>& runs, const Warnings
 /// Number of members without a result.
 std::size_t failed_of(const std::vector<MemberRecord>& runs);
 
-/// The cells of a run in the columns k_end_columns.
-std::vector<std::string> end_values(const MemberEnd& end);
 /// Sensitivities of one figure, by key.
 struct FigureSensitivity {
     Figure figure;  ///< its texts

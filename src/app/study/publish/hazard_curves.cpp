@@ -117,9 +117,9 @@ Damage mean_damage(const StudyResult& result, std::span<const double> damages, s
         return {sum.rate, sum.low, std::max(sum.high, bound)};
     }
     const Estimate mean = MeanEstimate(result.finished).mean(damages, most);
-    double bound = 0;
-    for (std::size_t run = 0; run < runs.size() && has_open; ++run)
-        bound += result.all.weights[run] * (result.is_open[run] ? most : runs[run]);
+    const std::vector<double> greatest = result.at_most(runs, most);
+    const double bound =
+        has_open ? std::inner_product(greatest.begin(), greatest.end(), result.all.weights.begin(), 0.0) : 0;
     return {mean.value, std::max(0.0, mean.value - mean.margin),
             std::max(std::min(most, mean.value + mean.margin), bound)};
 }
@@ -180,14 +180,14 @@ std::string disaggregation_csv(const StudyInput& input, const StudyResult& resul
                                               shortest_text(of_sources[i]),
                                               shortest_text(of_sources[i] / all)};
                         const auto mean = [&](const auto& value_of_member) {
-                            double sum = 0, weights = 0;
+                            FinishedMembers some;
+                            std::vector<double> own;
                             for (std::size_t m = 0; m < source.members.size(); ++m) {
                                 if (!(static_cast<double>(values[source.first + m]) > threshold)) continue;
-                                weights += source.members.weights[m];
-                                sum += source.members.weights[m] *
-                                       value_of_member(result.members[result.finished_at[source.first + m]]);
+                                some.weights.push_back(source.members.weights[m]);
+                                own.push_back(value_of_member(result.members[result.finished_at[source.first + m]]));
                             }
-                            row.emplace_back(shortest_text(sum / weights));
+                            row.emplace_back(shortest_text(MeanEstimate(some).mean(own).value));
                         };
                         mean([](const MemberRecord& member) { return value_of(member.figures, "volume_m3"); });
                         for (const std::size_t key : keys)

@@ -54,13 +54,11 @@ KeyDraws next_slope(const StudyReading& reading, const PosteriorSample& sample) 
 }
 
 Scores scores_of(const std::vector<double>& scores, double variance_of_each = 0) {
-    const auto count = static_cast<double>(scores.size());
-    const std::vector<double> weights(scores.size(), 1 / count);
-    Scores result{0, weighted_quantile(scores, weights, 0.05), weighted_quantile(scores, weights, 0.95), 0};
-    result.mean = std::accumulate(scores.begin(), scores.end(), 0.0) / count;
-    for (const double one : scores) result.error += std::pow((one - result.mean) / count, 2);
-    result.error = std::sqrt(result.error + variance_of_each);
-    return result;
+    FinishedMembers alike;
+    alike.weights.assign(scores.size(), 1 / static_cast<double>(scores.size()));
+    const Estimate mean = MeanEstimate(alike).mean(scores);
+    return {mean.value, weighted_quantile(scores, alike.weights, 0.05), weighted_quantile(scores, alike.weights, 0.95),
+            std::sqrt(mean.error * mean.error + variance_of_each)};
 }
 
 /// Predicts the scores at an event from the surveys of the others. Its own keys keep their distributions.
@@ -207,17 +205,12 @@ namespace {
 
 /// Adds a member's values to a row, empty where the key is not one of its own.
 void add_values(const std::vector<Variation>& keys, const SampleTable& table, std::size_t member,
-                std::vector<std::string>& row) {
+                std::vector<MemberCell>& row) {
     for (const Variation& key : keys) {
         const auto found = std::find(table.keys.begin(), table.keys.end(), key.key);
-        row.push_back(found == table.keys.end()
-                          ? ""
-                          : table.values[member][static_cast<std::size_t>(found - table.keys.begin())]);
+        const auto at = static_cast<std::size_t>(found - table.keys.begin());
+        row.push_back({key.key, found == table.keys.end() ? "" : table.values[member][at]});
     }
-}
-
-std::string cell(double value) {
-    return std::isnan(value) ? "" : shortest_text(value);
 }
 
 Json json_of(const KeyPosterior& key) {
@@ -248,55 +241,47 @@ std::string posterior_csv(const StudyInput& input, const CalibrationRuns& runs, 
     for (const StudyDoubt& doubt : result.doubts) text += "# " + one_line(doubt.text.text()) + "\n";
     if (result.spread) text += "# " + one_line(result.spread->text()) + "\n";
     const std::vector<Variation> keys = keys_of(input.spec());
-    std::vector<std::string> heads{k_for_column, k_event_column};
-    for (const Variation& key : keys) heads.push_back(key.key);
-    text += csv_line(heads);
+    std::vector<std::vector<MemberCell>> rows;
     const auto add = [&](const KeyDraws& draws) {
         for (std::size_t i = 0; i < draws.draws.size(); ++i) {
-            std::vector<std::string> row{draws.event.empty() ? k_new_slope : k_this_event, draws.event};
+            auto& row = rows.emplace_back();
+            row = {{k_for_column, draws.event.empty() ? k_new_slope : k_this_event}, {k_event_column, draws.event}};
             add_values(keys, draws.draws, i, row);
-            text += csv_line(row);
         }
     };
     for (const EventResult& event : result.events) add(event.after);
     add(result.next);
-    return text;
+    return text + csv_of(rows);
 }
 
 /// Returns members.csv: a row for each run of each event with its values, score and misfits, and how it ended.
 std::string members_csv(const StudyInput& input, const CalibrationRuns& runs) {
     const StudySpec& calibration = input.spec();
     const std::vector<Variation> keys = keys_of(calibration);
-    std::vector<std::string> heads{"event", "member", "use", "status", "score"};
-    for (const Variation& key : keys) heads.push_back(key.key);
-    for (const Weight& one : calibration.objective) heads.push_back(std::string("misfit ") + row_of(one.measure).name);
-    heads.emplace_back("engine_seconds");
-    heads.insert(heads.end(), std::begin(k_end_columns), std::end(k_end_columns));
-    heads.emplace_back("reason");
-    std::string text = csv_line(heads);
+    std::vector<std::vector<MemberCell>> rows;
     for (std::size_t e = 0; e < input.events(); ++e) {
         const EventRuns& event = runs.events[e];
         for (std::size_t i = 0; i < event.members.size(); ++i) {
             const MemberRecord& one = event.members[i];
-            std::vector<std::string> row{
-                calibration.events[e].name, std::to_string(i), i < event.searched ? "search" : "forecast",
-                one.failure.empty() ? "finished" : "failed", cell(1 - event.agreements[i].misfit)};
+            auto& row = rows.emplace_back();
+            row = {{"event", calibration.events[e].name},
+                   {"member", std::to_string(i)},
+                   {"use", i < event.searched ? "search" : "forecast"},
+                   {"status", one.failure.empty() ? "finished" : "failed"},
+                   {"score", cell_of(1 - event.agreements[i].misfit)}};
             add_values(keys, input.own[e].table, i, row);
             for (const Weight& measure : calibration.objective) {
                 const auto found = std::find_if(event.measures.begin(), event.measures.end(),
                                                 [&](const Weight& own) { return own.measure == measure.measure; });
-                row.push_back(
-                    found == event.measures.end() || !one.failure.empty()
-                        ? ""
-                        : cell(event.agreements[i].parts[static_cast<std::size_t>(found - event.measures.begin())]));
+                const auto at = static_cast<std::size_t>(found - event.measures.begin());
+                const bool has_part = found != event.measures.end() && one.failure.empty();
+                row.push_back({std::string("misfit ") + row_of(measure.measure).name,
+                               has_part ? cell_of(event.agreements[i].parts[at]) : ""});
             }
-            row.push_back(shortest_text(one.engine_seconds));
-            for (std::string& value : end_values(one.end)) row.push_back(std::move(value));
-            row.push_back(one.failure);
-            text += csv_line(row);
+            add_end(one, row);
         }
     }
-    return text;
+    return csv_of(rows);
 }
 
 Json event_json(const StudyInput& input, const CalibrationRuns& all, const CalibrationResult& result, std::size_t e) {

@@ -67,12 +67,6 @@ void write_reached(const StudyInput& input, const Raster& depth, const ResultDir
     write_result_shapes(directory.path(k_outlines_file), depth.grid.crs_wkt, layers, words_of(input.base.spec));
 }
 
-double covered_area(const Raster& depth, double threshold) {
-    std::int64_t cells = 0;
-    depth.values.for_each_stored([&](std::size_t, double value) { cells += value > threshold; });
-    return static_cast<double>(cells) * depth.grid.cell_area();
-}
-
 /// Of a large map, whose elevations are read where somebody asks for them.
 void read_ground_under(const Raster& depth, Raster& terrain) {
     if (!terrain.values.is_tiled()) return;
@@ -125,7 +119,7 @@ void publish_unions(StudyInput& input, const StudyResult& result, const ResultDi
         publish_study_ground(input, directory);
         write_reached(input, depth, directory);
         facts.reached_threshold = input.base.spec.output.trace_threshold;
-        facts.reached_m2 = {covered_area(depth, facts.reached_threshold)};
+        facts.reached_m2 = {masked_area(trace_mask(depth, facts.reached_threshold))};
     }
     std::vector<std::optional<double>> periods;
     for (const std::size_t member : result.finished_at) periods.push_back(input.slope_of(member).return_period);
@@ -231,14 +225,11 @@ void write_member_outlines(const StudyInput& input, const StudyResult& result, c
     write_result_shapes(path, result.grid.crs_wkt, layers, words_of(input.base.spec));
 }
 
-bool is_kept(Keep keep, const MemberRecord& member) {
-    return keep == Keep::all || (keep == Keep::failed && !member.failure.empty());
-}
-
 void write_kept_members(const StudyInput& input, const StudyResult& result, const ResultDirectory& directory) {
     for (std::size_t i = 0; i < result.members.size(); ++i) {
         const MemberRecord& member = result.members[i];
-        if (!is_kept(input.reading.study.keep, member)) continue;
+        if (const Keep keep = input.spec().keep; keep != Keep::all && (keep == Keep::none || member.finished()))
+            continue;
         char name[40];
         std::snprintf(name, sizeof name, "%s/member_%07zu", k_member_folder, member.member);
         directory.make_folder(name);

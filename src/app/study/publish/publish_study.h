@@ -31,8 +31,13 @@ struct MemberCell {
 };
 /// What they say of a member: its values as after `--set`, its figures, how it ended; the same columns for all.
 std::vector<MemberCell> member_row(const StudyInput& input, const StudyResult& result, const MemberRecord& member);
-/// Returns members.csv, with a row for each member.
+/// Adds what they end with: its wall time, how it ended, why it failed.
+void add_end(const MemberRecord& member, std::vector<MemberCell>& row);
+/// Returns members.csv, with a row for each member; posterior.csv is one of such rows, too.
+std::string csv_of(const std::vector<std::vector<MemberCell>>& rows);
 std::string members_csv(const StudyInput& input, const StudyResult& result);
+/// A number as a cell of a table; empty: NaN.
+std::string cell_of(double value);
 /// Returns sensitivity.csv: a row for each figure and key.
 std::string sensitivity_csv(const StudyInput& input, const std::vector<FigureSensitivity>& figures);
 

@@ -32,10 +32,26 @@ std::vector<std::string> figure_columns(const StudyResult& result) {
 }
 
 std::string cell(const std::optional<double>& value) {
-    return value && !std::isnan(*value) ? shortest_text(*value) : "";
+    return cell_of(value.value_or(k_no_data));
 }
 
 }  // namespace
+
+std::string cell_of(double value) {
+    return std::isnan(value) ? "" : shortest_text(value);
+}
+
+void add_end(const MemberRecord& member, std::vector<MemberCell>& row) {
+    row.push_back({"engine_seconds", shortest_text(member.engine_seconds)});
+    const MemberEnd& end = member.end;
+    const bool ran = !end.stop_reason.empty();
+    const auto number = [&](double value) { return ran ? cell_of(value) : ""; };
+    const std::string values[] = {end.stop_reason,           number(end.moving_fraction),
+                                  number(end.left_fraction), ran ? std::to_string(static_cast<int>(end.is_held)) : "",
+                                  number(end.energy_error),  std::to_string(end.warnings.size())};
+    for (std::size_t i = 0; i < std::size(values); ++i) row.push_back({k_end_columns[i], values[i], i > 0});
+    row.push_back({"reason", member.failure, false});
+}
 
 std::vector<MemberCell> member_row(const StudyInput& input, const StudyResult& result, const MemberRecord& member) {
     std::vector<MemberCell> row;
@@ -63,26 +79,26 @@ std::vector<MemberCell> member_row(const StudyInput& input, const StudyResult& r
     if (std::find(keys.begin(), keys.end(), k_end_key) == keys.end())
         number(k_end_key, member.end.stop_reason.empty() ? "" : shortest_text(member.end.end));
     for (const std::string& figure : figure_columns(result)) number(figure, cell(value_of(member.figures, figure)));
-    number("engine_seconds", shortest_text(member.engine_seconds));
-    const std::vector<std::string> end = end_values(member.end);
-    for (std::size_t i = 0; i < end.size(); ++i) row.push_back({k_end_columns[i], end[i], i > 0});
-    text("reason", member.failure);
+    add_end(member, row);
     return row;
 }
 
-std::string members_csv(const StudyInput& input, const StudyResult& result) {
-    Table table;
-    for (const MemberRecord& member : result.members) {
-        std::vector<std::string> heads;
+std::string csv_of(const std::vector<std::vector<MemberCell>>& rows) {
+    std::vector<std::string> heads;
+    for (const MemberCell& one : rows.front()) heads.push_back(one.name);
+    Table table(heads);
+    for (const std::vector<MemberCell>& row : rows) {
         std::vector<Cell> cells;
-        for (const MemberCell& one : member_row(input, result, member)) {
-            heads.push_back(one.name);
-            cells.push_back(one.text);
-        }
-        if (table.rows().empty()) table = Table(heads);
+        for (const MemberCell& one : row) cells.emplace_back(one.text);
         table.row(cells);
     }
     return table.csv();
+}
+
+std::string members_csv(const StudyInput& input, const StudyResult& result) {
+    std::vector<std::vector<MemberCell>> rows;
+    for (const MemberRecord& member : result.members) rows.push_back(member_row(input, result, member));
+    return csv_of(rows);
 }
 
 std::string sensitivity_csv(const StudyInput& input, const std::vector<FigureSensitivity>& figures) {

@@ -23,21 +23,6 @@ constexpr double k_least_effective = 200;  // of a tempered sample
 constexpr std::size_t k_candidates = 200;  // draws among which next members are chosen
 constexpr int k_most_rounds = 12;
 
-double mean_of(const std::vector<double>& values, const std::vector<double>& weights) {
-    return std::inner_product(values.begin(), values.end(), weights.begin(), 0.0);
-}
-
-double correlation(const std::vector<double>& a, const std::vector<double>& b, const std::vector<double>& weights) {
-    const double mean_a = mean_of(a, weights), mean_b = mean_of(b, weights);
-    double ab = 0, aa = 0, bb = 0;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        ab += weights[i] * (a[i] - mean_a) * (b[i] - mean_b);
-        aa += weights[i] * (a[i] - mean_a) * (a[i] - mean_a);
-        bb += weights[i] * (b[i] - mean_b) * (b[i] - mean_b);
-    }
-    return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
-}
-
 void add_interval(const Variation& key, const std::vector<double>& numbers, const std::vector<double>& places,
                   const std::vector<double>& weights, KeyPosterior& to) {
     to.low = weighted_quantile(numbers, weights, k_low);
@@ -104,7 +89,7 @@ std::vector<double> deviations(const Places& places, const std::vector<double>& 
     std::vector<double> all;
     for (std::size_t k = 0; k < places.front().size(); ++k) {
         const std::vector<double> values = column_of(places, k);
-        const double mean = mean_of(values, weights);
+        const double mean = std::inner_product(values.begin(), values.end(), weights.begin(), 0.0);
         double variance = 0;
         for (std::size_t i = 0; i < values.size(); ++i)
             variance += weights[i] * (values[i] - mean) * (values[i] - mean);
@@ -305,8 +290,8 @@ Places EventModel::next(std::size_t count) const {
     std::vector<double> improvements;
     for (const LogLikelihood& one : log_likelihoods(posterior.places)) {
         const double deviation = std::sqrt(one.variance), z = (one.mean - so_far) / std::max(deviation, 1e-12);
-        improvements.push_back(deviation * (z * 0.5 * std::erfc(-z / std::numbers::sqrt2) +
-                                            std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi)));
+        improvements.push_back(deviation *
+                               (z * normal_below(z) + std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi)));
     }
     for (double& one : improvements)
         if (!std::isfinite(one)) one = 0;

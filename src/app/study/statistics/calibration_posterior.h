@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,6 +16,11 @@
 #include "core/words/sentence.h"
 
 namespace frana::app::study {
+
+/// The normal distribution below a score.
+inline double normal_below(double score) {
+    return 0.5 * std::erfc(-score / std::numbers::sqrt2);
+}
 
 /// Returns by key the widths of kernels about weighted places, s_k n^(-1/(d + 4)) (Scott 1992) from the weighted
 /// standard deviation s_k, the effective number of places n and the number of keys d, at least `least`.

@@ -34,70 +34,51 @@ CellWindow reached_window(const FinishedMembers& members, const GridSpec& grid) 
     return all;
 }
 
+namespace {
+
+/// Takes the hits of some of all, with their places among these.
+class Chosen {
+  public:
+    /// @param of places of the chosen ones among all
+    explicit Chosen(const std::vector<std::size_t>& of) {
+        for (std::size_t i = 0; i < of.size(); ++i) {
+            if (places_.size() <= of[i]) places_.resize(of[i] + 1, k_none);
+            places_[of[i]] = static_cast<std::uint32_t>(i);
+        }
+    }
+    /// @returns what is valid until the next call
+    const std::vector<CellStore::Value>& operator()(Hits all) {
+        hits_.clear();
+        for (const auto& [record, value] : all)
+            if (record < places_.size() && places_[record] != k_none && !std::isnan(value))
+                hits_.push_back({places_[record], value});
+        return hits_;
+    }
+
+  private:
+    static constexpr auto k_none = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> places_;
+    std::vector<CellStore::Value> hits_;
+};
+
+}  // namespace
+
 void for_each_hit_cell(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
                        const std::function<void(std::size_t cell, Hits hits)>& visit) {
     if (members.size() == 0) return;
     const auto store = members.store ? members.store : std::make_shared<CellStore>(members.records);
-    constexpr auto k_none = std::numeric_limits<std::uint32_t>::max();
-    std::vector<std::uint32_t> places;  // among the members, by column
-    for (std::size_t m = 0; m < members.size(); ++m) {
-        const std::size_t column = members.columns.empty() ? m : members.columns[m];
-        if (places.size() <= column) places.resize(column + 1, k_none);
-        places[column] = static_cast<std::uint32_t>(m);
-    }
-    std::vector<CellStore::Value> hits;
+    std::vector<std::size_t> columns = members.columns;
+    for (std::size_t m = columns.size(); m < members.size(); ++m) columns.push_back(m);
+    Chosen chosen(columns);
     store->for_each_cell(quantity, grid, [&](std::size_t cell, Hits all) {
-        hits.clear();
-        for (const auto& [record, value] : all)
-            if (record < places.size() && places[record] != k_none && !std::isnan(value))
-                hits.push_back({places[record], value});
-        if (!hits.empty()) visit(cell, hits);
+        if (const auto& hits = chosen(all); !hits.empty()) visit(cell, hits);
     });
 }
 
 void for_each_hit_cell(const StudyRuns& runs, Quantity quantity, const GridSpec& grid,
                        const std::function<void(std::size_t cell, Hits finished, Hits all)>& visit) {
-    constexpr auto k_none = std::numeric_limits<std::uint32_t>::max();
-    std::vector<std::uint32_t> places(runs.all.size(), k_none);  // among the finished members
-    for (std::size_t m = 0; m < runs.finished_at.size(); ++m)
-        places[runs.finished_at[m]] = static_cast<std::uint32_t>(m);
-    std::vector<CellStore::Value> finished;
-    for_each_hit_cell(runs.all, quantity, grid, [&](std::size_t cell, Hits all) {
-        finished.clear();
-        for (const auto& [run, value] : all)
-            if (places[run] != k_none) finished.push_back({places[run], value});
-        visit(cell, finished, all);
-    });
-}
-
-namespace {
-
-float nothing_of(Quantity quantity) {
-    return quantity == Quantity::arrival ? std::numeric_limits<float>::infinity() : 0.0F;
-}
-
-}  // namespace
-
-void for_each_reached_cell(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
-                           const std::function<void(std::size_t cell, std::span<const float> values)>& visit) {
-    std::vector<float> values(members.size(), nothing_of(quantity));
-    for_each_hit_cell(members, quantity, grid, [&](std::size_t cell, Hits hits) {
-        for (const CellStore::Value& hit : hits) values[hit.record] = hit.value;
-        visit(cell, values);
-        for (const CellStore::Value& hit : hits) values[hit.record] = nothing_of(quantity);
-    });
-}
-
-void for_each_reached_cell(const StudyRuns& runs, Quantity quantity, const GridSpec& grid, const RunValues& visit) {
-    const float nothing = nothing_of(quantity);
-    std::vector<float> finished(runs.finished.size(), nothing), all(runs.all.size(), nothing);
-    for_each_hit_cell(runs, quantity, grid, [&](std::size_t cell, Hits of_finished, Hits of_all) {
-        for (const CellStore::Value& hit : of_finished) finished[hit.record] = hit.value;
-        for (const CellStore::Value& hit : of_all) all[hit.record] = hit.value;
-        visit(cell, of_finished.empty() ? std::span<const float>() : finished, all);
-        for (const CellStore::Value& hit : of_finished) finished[hit.record] = nothing;
-        for (const CellStore::Value& hit : of_all) all[hit.record] = nothing;
-    });
+    Chosen chosen(runs.finished_at);
+    for_each_hit_cell(runs.all, quantity, grid, [&](std::size_t cell, Hits all) { visit(cell, chosen(all), all); });
 }
 
 double upper_bound(const StudyRuns& runs, std::span<const float> values, double threshold) {
@@ -244,6 +225,20 @@ double weighted_quantile(const std::vector<double>& values, const std::vector<do
     return quantile_of(std::span<const double>(values), weights, q, order);
 }
 
+double correlation(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& weights) {
+    const double all = std::accumulate(weights.begin(), weights.end(), 0.0),
+                 mean_x = std::inner_product(x.begin(), x.end(), weights.begin(), 0.0) / all,
+                 mean_y = std::inner_product(y.begin(), y.end(), weights.begin(), 0.0) / all;
+    double xx = 0, yy = 0, xy = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        xx += weights[i] * (x[i] - mean_x) * (x[i] - mean_x);
+        yy += weights[i] * (y[i] - mean_y) * (y[i] - mean_y);
+        xy += weights[i] * (x[i] - mean_x) * (y[i] - mean_y);
+    }
+    if (!(xx > 0) || !(yy > 0)) return std::numeric_limits<double>::quiet_NaN();
+    return std::clamp(xy / std::sqrt(xx * yy), -1.0, 1.0);
+}
+
 void for_each_feature(const StudyRuns& runs, Quantity quantity, const GridSpec& grid,
                       const std::vector<std::vector<std::size_t>>& cells, const RunValues& visit) {
     const std::size_t count = runs.all.size(),
@@ -256,12 +251,12 @@ void for_each_feature(const StudyRuns& runs, Quantity quantity, const GridSpec& 
         for (std::size_t feature = first; feature < last; ++feature)
             for (const std::size_t cell : cells[feature]) features.emplace(cell, feature - first);
         std::vector<float> all((last - first) * count, nothing_of(quantity)), finished(runs.finished.size());
-        for_each_reached_cell(runs.all, quantity, grid, [&](std::size_t cell, std::span<const float> values) {
+        for_each_hit_cell(runs.all, quantity, grid, [&](std::size_t cell, Hits hits) {
             const auto [begin, end] = features.equal_range(cell);
             for (auto one = begin; one != end; ++one)
-                for (std::size_t m = 0; m < count; ++m) {
-                    float& value = all[one->second * count + m];
-                    value = is_arrival ? std::min(value, values[m]) : std::max(value, values[m]);
+                for (const auto& [run, hit] : hits) {
+                    float& value = all[one->second * count + run];
+                    value = is_arrival ? std::min(value, hit) : std::max(value, hit);
                 }
         });
         for (std::size_t feature = first; feature < last; ++feature) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -44,33 +45,37 @@ struct StudyRuns {
     std::vector<bool> is_open;             ///< of each of all: it was cut, held, left the ground or failed
 
     [[nodiscard]] bool any_open() const { return std::find(is_open.begin(), is_open.end(), true) != is_open.end(); }
+    /// Values of all runs if every open one has the most that there is.
+    template <class Value>
+    [[nodiscard]] std::vector<Value> at_most(std::span<const Value> values,
+                                             Value most = std::numeric_limits<Value>::infinity()) const {
+        std::vector<Value> bounded(values.begin(), values.end());
+        for (std::size_t run = 0; run < bounded.size(); ++run)
+            if (is_open[run]) bounded[run] = most;
+        return bounded;
+    }
 };
 
 /// Returns the probability that a value exceeds a threshold if every open run exceeds it.
 /// @param values of all runs
 double upper_bound(const StudyRuns& runs, std::span<const float> values, double threshold);
 
+/// What a value is of a member that did not come: 0, no arrival.
+inline float nothing_of(Quantity quantity) {
+    return quantity == Quantity::arrival ? std::numeric_limits<float>::infinity() : 0.0F;
+}
+
 /// Values of members, or runs, that came to a place, in order of their places among all.
 using Hits = std::span<const CellStore::Value>;
 
-/// Calls visit(cell, hits) for every cell of a grid that any member reached, in order of cells. Otherwise as
-/// for_each_reached_cell().
+/// Calls visit(cell, hits) for every cell of a grid that any member reached, in order of cells. Memory is bounded by a
+/// budget, whatever the number of members and cells, and each record is read once (CellStore). Throws
+/// Error(environment) for a record that cannot be read.
 void for_each_hit_cell(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
                        const std::function<void(std::size_t cell, Hits hits)>& visit);
 /// The same for every cell that any run reached, with the hits of finished members and of all runs.
 void for_each_hit_cell(const StudyRuns& runs, Quantity quantity, const GridSpec& grid,
                        const std::function<void(std::size_t cell, Hits finished, Hits all)>& visit);
-
-/// Calls visit(cell, values) for every cell of a grid that any member reached, in order of cells; values has one number
-/// for each member, 0 (arrival: infinity) where it did not come.
-/// Memory is bounded by a budget, whatever the number of members and cells, and each
-/// record is read once (CellStore). Throws Error(environment) for a record that cannot be read.
-void for_each_reached_cell(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
-                           const std::function<void(std::size_t cell, std::span<const float> values)>& visit);
-/// Values of the finished members, empty where none of them came, and of all runs.
-using RunValues = std::function<void(std::size_t at, std::span<const float> finished, std::span<const float> all)>;
-/// The same for every cell that any run reached.
-void for_each_reached_cell(const StudyRuns& runs, Quantity quantity, const GridSpec& grid, const RunValues& visit);
 
 /// Returns the window that contains both; one without rows is none.
 CellWindow window_of_both(const CellWindow& a, const CellWindow& b);
@@ -145,8 +150,13 @@ double weighted_quantile(std::span<const float> values, const std::vector<double
 /// The same for a figure of the members; the weights have a sum of 1.
 double weighted_quantile(const std::vector<double>& values, const std::vector<double>& weights, double q);
 
+/// Pearson's correlation of values with weights; NaN if one of the two does not vary.
+double correlation(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& weights);
+
+/// Values of the finished members and of all runs.
+using RunValues = std::function<void(std::size_t at, std::span<const float> finished, std::span<const float> all)>;
 /// Calls visit(feature, finished, all) for every feature, in order, with one number for each member or run: the
-/// greatest value in any of the feature's cells (arrival: the least), 0 (arrival: infinity) where it reached none.
+/// greatest value in any of the feature's cells (arrival: the least), nothing_of() where it reached none.
 /// Memory is bounded by a budget, whatever the number of members and features. Throws Error(environment) for a record
 /// that cannot be read.
 /// @param cells of each feature, on the grid

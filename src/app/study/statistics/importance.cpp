@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -17,10 +16,6 @@ namespace {
 constexpr std::int64_t k_dense = 65536, k_last_seed = 2147483647, k_seed_step = 1000003;
 constexpr std::size_t k_centres = 300, k_least_near = 50;
 constexpr double k_least_width = 0.1;
-
-double normal_below(double score) {
-    return 0.5 * std::erfc(-score / std::numbers::sqrt2);
-}
 
 /// Phi^-1 of all coordinates.
 Places scores_of(Places places) {
@@ -38,12 +33,14 @@ StudySpec with_seed(StudySpec study, std::size_t number, std::int64_t samples) {
 
 }  // namespace
 
-ImportanceSampling::ImportanceSampling(const StudySpec& study)
-    : study_(study), dense_(dense_points(with_seed(study, std::size(k_round_ends), k_dense), k_dense)) {
+ImportanceSampling::ImportanceSampling(const StudySpec& study) : study_(study) {
+    dense_.places = draw_places(with_seed(study, std::size(k_round_ends), k_dense), true);
+    dense_.numbers.resize(dense_.places.size());
     for (std::size_t k = 0; k < study.vary.size(); ++k) {
-        std::vector<double> column = column_of(dense_.places, k);
-        if (!dense_.nominal[k]) column = openturns().quantiles(study.vary[k].distribution, column);
-        for (std::size_t i = 0; i < column.size() && !dense_.nominal[k]; ++i) dense_.numbers[i][k] = column[i];
+        const Distribution& distribution = study.vary[k].distribution;
+        dense_.nominal.push_back(distribution.is_nominal());
+        const std::vector<double> column = numbers_at(distribution, column_of(dense_.places, k));
+        for (std::size_t i = 0; i < column.size(); ++i) dense_.numbers[i].push_back(column[i]);
         low_.push_back(*std::min_element(column.begin(), column.end()));
         high_.push_back(*std::max_element(column.begin(), column.end()));
     }

@@ -51,7 +51,7 @@ class ImportanceSampling {
     [[nodiscard]] Places draw(const Kernels& kernels, std::size_t round) const;
 
     StudySpec study_;
-    DesignPoints dense_;              ///< numbers: values of keys with an order
+    DesignPoints dense_;
     std::vector<double> low_, high_;  ///< of its numbers, by key
     std::vector<Kernels> rounds_;
 };

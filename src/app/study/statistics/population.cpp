@@ -79,7 +79,7 @@ class Sampler {
             double u = random_.uniform();
             if (!keys_[k].is_nominal()) {
                 const double z = normals_[k].mean + normals_[k].spread * random_.normal();
-                u = std::clamp(0.5 * std::erfc(-z / std::numbers::sqrt2), 0x1p-53, 1 - 0x1p-53);
+                u = std::clamp(normal_below(z), 0x1p-53, 1 - 0x1p-53);
             } else if (keys_[k].law == Law::choice) {
                 std::vector<double> logs;
                 for (std::size_t i = 0; i < weights.size(); ++i)
@@ -111,16 +111,11 @@ class Sampler {
             if (!keys_[k].is_nominal()) values = openturns().quantiles({Law::normal, {0, 1}, {}, {}, {}}, values);
             for (std::size_t i = 0; i < values.size(); ++i) {
                 if (!keys_[k].is_nominal()) one.logs[i] += values[i] * values[i] / 2;
-                if (keys_[k].law == Law::choice) values[i] = option_at(keys_[k].weights, values[i]);
+                if (keys_[k].law == Law::choice) values[i] = option_at(keys_[k], values[i]);
             }
             one.values.push_back(std::move(values));
         }
         return one;
-    }
-    static double option_at(const std::vector<double>& weights, double place) {
-        std::size_t option = 0;
-        while (option + 1 < weights.size() && place >= weights[option]) place -= weights[option++];
-        return static_cast<double>(option);
     }
     [[nodiscard]] std::vector<double> values_of(std::size_t key) const {
         std::vector<double> all;

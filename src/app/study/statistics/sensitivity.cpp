@@ -30,23 +30,6 @@ std::vector<double> ranks_of(const std::vector<double>& values) {
     return ranks;
 }
 
-double mean_of(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-/// Pearson's correlation; NaN if one of the two does not vary.
-double correlation(const std::vector<double>& x, const std::vector<double>& y) {
-    const double mean_x = mean_of(x), mean_y = mean_of(y);
-    double xx = 0, yy = 0, xy = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        xx += (x[i] - mean_x) * (x[i] - mean_x);
-        yy += (y[i] - mean_y) * (y[i] - mean_y);
-        xy += (x[i] - mean_x) * (y[i] - mean_y);
-    }
-    if (!(xx > 0) || !(yy > 0)) return std::numeric_limits<double>::quiet_NaN();
-    return std::clamp(xy / std::sqrt(xx * yy), -1.0, 1.0);
-}
-
 /// eta: root of the variance between the means of the classes over all variance.
 double correlation_ratio(const std::vector<double>& classes, const std::vector<double>& y) {
     std::map<double, std::pair<double, double>> sums;  // of values, and count
@@ -54,7 +37,7 @@ double correlation_ratio(const std::vector<double>& classes, const std::vector<d
         sums[classes[i]].first += y[i];
         sums[classes[i]].second += 1;
     }
-    const double mean = mean_of(y);
+    const double mean = std::accumulate(y.begin(), y.end(), 0.0) / static_cast<double>(y.size());
     double between = 0, all = 0;
     for (const auto& [name, sum] : sums) between += sum.second * std::pow(sum.first / sum.second - mean, 2);
     for (const double value : y) all += (value - mean) * (value - mean);
@@ -114,12 +97,12 @@ Places rank_places(const DesignPoints& points) {
 
 std::vector<KeySensitivity> rank_correlations(const DesignPoints& points, const std::vector<double>& output) {
     std::vector<KeySensitivity> all(points.nominal.size());
-    const std::vector<double> ranks = ranks_of(output);
+    const std::vector<double> ranks = ranks_of(output), alike(output.size(), 1);
     for (std::size_t k = 0; k < all.size(); ++k) {
         const std::vector<double> column = column_of(points.numbers, k);
         if (points.nominal[k] && all_different(column)) continue;
         const double value =
-            points.nominal[k] ? correlation_ratio(column, ranks) : correlation(ranks_of(column), ranks);
+            points.nominal[k] ? correlation_ratio(column, ranks) : correlation(ranks_of(column), ranks, alike);
         if (std::isnan(value)) continue;
         constexpr double k_none = std::numeric_limits<double>::quiet_NaN();
         all[k].rank_correlation =
@@ -216,10 +199,10 @@ std::vector<Raster> outline_fractions(const FinishedMembers& members, const Desi
                                       double threshold, const GridSpec& grid) {
     std::vector<Raster> fractions(points.nominal.size(), Raster(grid, k_no_data));
     std::vector<std::size_t> rim;  // cells that some members reach and others do not
-    for_each_reached_cell(members, quantity, grid, [&](std::size_t cell, std::span<const float> values) {
-        const auto exceeds = [&](float value) { return static_cast<double>(value) > threshold; };
-        const auto count = static_cast<std::size_t>(std::count_if(values.begin(), values.end(), exceeds));
-        if (count > 0 && count < values.size()) rim.push_back(cell);
+    for_each_hit_cell(members, quantity, grid, [&](std::size_t cell, Hits hits) {
+        const auto exceeds = [&](const auto& hit) { return static_cast<double>(hit.value) > threshold; };
+        const auto count = static_cast<std::size_t>(std::count_if(hits.begin(), hits.end(), exceeds));
+        if (count > 0 && count < members.size()) rim.push_back(cell);
     });
     const CellWindow reached = reached_window(members, grid);
     const std::size_t at_once = std::max<std::size_t>(

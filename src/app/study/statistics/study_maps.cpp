@@ -68,25 +68,6 @@ Raster worst_degree(const FinishedMembers& members, const std::vector<std::optio
 
 namespace {
 
-/// Values of the members that came to a cell, and their weights with a sum of 1.
-struct Arrived {
-    std::vector<float> values;
-    std::vector<double> weights;
-};
-
-Arrived arrived_of(std::span<const float> values, const std::vector<double>& weights) {
-    Arrived arrived;
-    double sum = 0;
-    for (std::size_t m = 0; m < values.size(); ++m) {
-        if (!std::isfinite(values[m])) continue;
-        arrived.values.push_back(values[m]);
-        arrived.weights.push_back(weights[m]);
-        sum += weights[m];
-    }
-    for (double& weight : arrived.weights) weight /= sum;
-    return arrived;
-}
-
 /// Returns the value of quantile q of a cell; NaN where that is 0.
 double quantile_at(std::span<const float> values, const std::vector<double>& weights, std::size_t q,
                    std::vector<std::size_t>& order) {
@@ -153,14 +134,11 @@ QuantityMaps quantity_maps(const StudyRuns& runs, Quantity quantity, const GridS
                                           ? std::nullopt
                                           : std::optional(Raster(grid, k_no_data)));
     std::vector<std::size_t> order;
-    std::vector<float> extreme;
     const auto add_bounds = [&](std::size_t cell, std::span<const float> all) {
         for (std::size_t t = 0; t < maps.upper.size(); ++t)
             maps.upper[t].values[cell] =
                 std::max(std::as_const(maps.probability[t]).values[cell], upper_bound(runs, all, thresholds[t]));
-        extreme.assign(all.begin(), all.end());
-        for (std::size_t m = 0; m < extreme.size(); ++m)
-            if (runs.is_open[m]) extreme[m] = std::numeric_limits<float>::infinity();
+        const std::vector<float> extreme = runs.at_most(all);
         for (std::size_t q = 0; q < maps.quantile_upper.size(); ++q)
             if (auto& bound = maps.quantile_upper[q])
                 if (const double value = quantile_at(extreme, runs.all.weights, q, order); !std::isnan(value))
@@ -168,10 +146,12 @@ QuantityMaps quantity_maps(const StudyRuns& runs, Quantity quantity, const GridS
     };
     const auto add_finished = [&](std::size_t cell, std::span<const float> values) {
         if (arrival) {
-            const Arrived arrived = arrived_of(values, members.weights);
-            for (std::size_t q = 0; q < std::size(k_study_quantiles) && !arrived.values.empty(); ++q)
+            double arrived = 0;
+            for (std::size_t m = 0; m < values.size(); ++m)
+                arrived += std::isfinite(values[m]) ? members.weights[m] : 0;
+            for (std::size_t q = 0; q < maps.quantile.size() && arrived > 0; ++q)
                 maps.quantile[q].values[cell] =
-                    weighted_quantile(arrived.values, arrived.weights, k_study_quantiles[q].fraction, order);
+                    weighted_quantile(values, members.weights, k_study_quantiles[q].fraction * arrived, order);
             return;
         }
         for (std::size_t t = 0; t < thresholds.size(); ++t) {
@@ -187,22 +167,16 @@ QuantityMaps quantity_maps(const StudyRuns& runs, Quantity quantity, const GridS
         maps.hits.values[cell] =
             static_cast<double>(std::count_if(values.begin(), values.end(), [](float v) { return v > 0; }));
     };
-    for_each_reached_cell(runs, quantity, grid,
-                          [&](std::size_t cell, std::span<const float> finished, std::span<const float> all) {
-                              if (!finished.empty()) add_finished(cell, finished);
-                              if (has_open) add_bounds(cell, all);
-                          });
-    return maps;
-}
-
-ErrorSummary error_of(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
-                      const std::vector<double>& thresholds) {
-    const MeanEstimate estimate(members);
-    ErrorSummary all;
-    for_each_reached_cell(members, quantity, grid, [&](std::size_t, std::span<const float> values) {
-        for (const double threshold : thresholds) all.add(estimate.probability(values, threshold));
+    std::vector<float> finished(members.size(), nothing_of(quantity)), every(runs.all.size(), nothing_of(quantity));
+    for_each_hit_cell(runs, quantity, grid, [&](std::size_t cell, Hits of_finished, Hits of_all) {
+        for (const CellStore::Value& hit : of_finished) finished[hit.record] = hit.value;
+        for (const CellStore::Value& hit : of_all) every[hit.record] = hit.value;
+        if (!of_finished.empty()) add_finished(cell, finished);
+        if (has_open) add_bounds(cell, every);
+        for (const CellStore::Value& hit : of_finished) finished[hit.record] = nothing_of(quantity);
+        for (const CellStore::Value& hit : of_all) every[hit.record] = nothing_of(quantity);
     });
-    return all;
+    return maps;
 }
 
 }  // namespace frana::app::study

@@ -14,7 +14,7 @@
 namespace frana::app::study {
 
 // The worst of several members, cell by cell: what at least one of several sources does there. NaN where none came.
-// Memory is bounded as by for_each_reached_cell(), for the rasters of one function at a time.
+// Memory is bounded as by for_each_hit_cell(), for the rasters of one function at a time.
 
 struct DepthUnion {
     Raster depth;  ///< greatest [m]
@@ -72,9 +72,5 @@ struct QuantityMaps {
 /// pressure and intensity only the probabilities.
 QuantityMaps quantity_maps(const StudyRuns& runs, Quantity quantity, const GridSpec& grid,
                            const std::vector<double>& thresholds);
-
-/// The standard errors alone, of one quantity and all thresholds, without keeping maps.
-ErrorSummary error_of(const FinishedMembers& members, Quantity quantity, const GridSpec& grid,
-                      const std::vector<double>& thresholds);
 
 }  // namespace frana::app::study

@@ -43,7 +43,7 @@ TEST_F(Cells, WhereAllMembersCameTheProbabilityIsOneWithinAMargin) {
     const QuantityMaps maps = quantity_maps(runs(), Quantity::depth, grid_, {0.5});
     EXPECT_EQ(maps.probability[0].at(0, 0), 1);
     EXPECT_NEAR(maps.margin[0].at(0, 0), 3.0 / 49, 1e-12);
-    EXPECT_EQ(error_of(members_, Quantity::depth, grid_, {0.5}).mean(), 0);
+    EXPECT_EQ(maps.errors.mean(), 0);
 }
 
 // Two runs finished, one was cut on its way, one failed: 1 of 3 at the first cell may be 3 of 4.
@@ -151,9 +151,10 @@ TEST_F(Cells, TenThousandMembersAreReadOnce) {
         const double before = bytes_read();
         for (const Quantity quantity : {Quantity::depth, Quantity::velocity, Quantity::arrival}) {
             double came = 0, exact = 0;
-            for_each_reached_cell(members_, quantity, grid_, [&](std::size_t, std::span<const float> values) {
-                came += static_cast<double>(std::count_if(values.begin(), values.end(),
-                                                          [](float one) { return one > 0 && std::isfinite(one); }));
+            for_each_hit_cell(members_, quantity, grid_, [&](std::size_t, Hits hits) {
+                came += static_cast<double>(std::count_if(hits.begin(), hits.end(), [](const auto& one) {
+                    return one.value > 0 && std::isfinite(one.value);
+                }));
             });
             for (std::size_t m = 0; m < members; ++m)  // arrivals are one more than depths
                 exact += m % 7 > 0 || quantity == Quantity::arrival ? 250 : 0;
