@@ -10,6 +10,7 @@
 #include "models/finite_volume/step.h"
 #include "mpm/curvature.h"
 #include "physics/pore_pressure.h"
+#include "physics/stress_laws.h"
 
 namespace frana::finite_volume {
 namespace {
@@ -185,7 +186,10 @@ class Sweeps {
     // The force of the in-plane stress, and its bound of the step.
     void strain() {
         if (!laws_.stress.law) return;
-        for_strips([&](Strip& strip) { strain_strip(strip); });
+        StressLaws::for_each([&]<class Law>() {
+            if (const Law* const law = laws_.stress.law.target<Law>())
+                for_strips([&](Strip& strip) { strain_strip(*law, strip); });
+        });
         s_.diffusivity = 0;
         for (std::size_t n = 0; n < s_.n_strips; ++n)
             s_.diffusivity = std::max(s_.diffusivity, s_.strips[n].diffusivity);
@@ -330,7 +334,8 @@ class Sweeps {
         }
     }
     // The force of the divergence of h sigma, from the stress at the faces between wet cells.
-    void strain_strip(Strip& strip) {
+    template <class Law>
+    void strain_strip(const Law& law, Strip& strip) {
         Workspace work(strip, strip.region.i1 - strip.region.i0 + 4);
         const auto count = static_cast<std::size_t>(strip.region.i1 - strip.region.i0);
         const CellRow *south = &work.rows[0], *here = &work.rows[1], *north = &work.rows[2];
@@ -347,8 +352,8 @@ class Sweeps {
             const double depth = std::min(b.depth[p], c.depth[q]);  // the mean would push thin edges too hard
             if (!(depth > 0)) return {0, 0, 0, 0};
             const PlaneStress<double> s =
-                laws_.stress.law({u_x, 0.5 * (u_y + v_x), v_y, 0.5 * (b.speed[p] + c.speed[q]),
-                                  0.5 * (b.normal[p] + c.normal[q]), depth});
+                law(StrainRate<double>{u_x, 0.5 * (u_y + v_x), v_y, 0.5 * (b.speed[p] + c.speed[q]),
+                                       0.5 * (b.normal[p] + c.normal[q]), depth});
             strip.diffusivity = std::max(strip.diffusivity, s.diffusivity);
             return {depth * s.xx, depth * s.xy, depth * s.yy, 0};
         };
