@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands/accuracy_search.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "app/store/scene_identity.h"
 #include "app/text/number_text.h"
 #include "core/error.h"

@@ -22,7 +22,6 @@
 #include "app/store/own_files.h"
 #include "app/store/result_files.h"
 #include "app/store/vector_layers.h"
-#include "app/text/text_file.h"
 #include "app/text/version.h"
 #include "core/error.h"
 #include "core/text.h"

@@ -14,7 +14,6 @@
 #include "app/commands/accuracy_search.h"
 #include "app/commands/command_line.h"
 #include "app/commands/scene_variants.h"
-#include "app/input/share_directory.h"
 #include "app/pictures/charts.h"
 #include "app/process/terminal.h"
 #include "app/publish/publish.h"

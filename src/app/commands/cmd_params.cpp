@@ -15,7 +15,6 @@
 #include "params/scene/read_friction_table.h"
 #include "params/scene/read_scene.h"
 #include "params/scene/read_scheme.h"
-#include "params/scene/write_scene.h"
 
 namespace frana::app {
 namespace {

@@ -17,7 +17,6 @@
 #include "app/text/text_table.h"
 #include "app/text/version.h"
 #include "core/error.h"
-#include "core/text.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/scene_parameters.h"
 

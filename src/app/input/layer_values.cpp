@@ -2,10 +2,8 @@
 #include "app/input/layer_values.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
-#include "app/text/number_text.h"
 #include "core/text.h"
 #include "gis/crs/crs.h"
 #include "params/grammar/value_text.h"

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "app/input/used_file.h"
-#include "app/text/number_text.h"
 #include "core/geometry.h"
 #include "gis/crs/crs.h"
 #include "gis/crs/crs_transform.h"

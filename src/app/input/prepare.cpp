@@ -2,7 +2,6 @@
 #include "app/input/prepare.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 

@@ -7,8 +7,6 @@
 
 #include <algorithm>
 
-#include "app/text/number_text.h"
-#include "core/text.h"
 #include "core/words/words.h"
 #include "params/keys/scene_spec.h"
 #include "simulation/scene_values.h"

@@ -8,10 +8,8 @@
 #include <cstdio>
 #include <limits>
 #include <type_traits>
-#include <utility>
 
 #include "app/pictures/result_reader.h"
-#include "app/text/number_text.h"
 #include "gis/raster/raster_in.h"
 #include "render/animation/animation.h"
 #include "render/animation/movie.h"

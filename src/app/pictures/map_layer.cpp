@@ -8,7 +8,6 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 #include "analysis/hazard.h"
 #include "analysis/trace.h"

@@ -13,7 +13,6 @@
 #include "gis/vector/vector_in.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/result_rasters.h"
-#include "params/keys/scene_parameters.h"
 #include "params/keys/used_keys.h"
 
 namespace frana::app {

@@ -7,7 +7,6 @@
 
 #include <csignal>
 #include <cstdlib>
-#include <initializer_list>
 #include <iostream>
 
 namespace frana::app {

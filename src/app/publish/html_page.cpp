@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <fstream>
 #include <ostream>
-#include <sstream>
 
 #include "app/store/result_files.h"
 #include "app/text/text_file.h"

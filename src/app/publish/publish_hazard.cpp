@@ -8,7 +8,6 @@
 #include "analysis/hazard.h"
 #include "app/pictures/map_layer.h"
 #include "app/store/result_files.h"
-#include "app/store/scene_identity.h"
 #include "app/store/vector_layers.h"
 #include "core/json.h"
 #include "gis/raster/footprint.h"

@@ -24,7 +24,6 @@
 #include "core/thread_pool.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/result_rasters.h"
-#include "params/keys/scene_parameters.h"
 #include "render/animation/movie.h"
 #include "render/map/map_body.h"
 

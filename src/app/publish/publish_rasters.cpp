@@ -13,7 +13,6 @@
 #include "app/text/text_file.h"
 #include "core/colour.h"
 #include "core/json.h"
-#include "core/text.h"
 #include "gis/raster/footprint.h"
 #include "gis/raster/raster_out.h"
 #include "gis/raster/styles.h"

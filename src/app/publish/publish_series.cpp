@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/publish/publish_series.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "analysis/ground_statistics.h"
 #include "analysis/runout.h"
 #include "analysis/trace.h"
 #include "app/store/result_files.h"
-#include "app/store/scene_identity.h"
 #include "app/store/vector_layers.h"
 #include "app/text/text_file.h"
 #include "app/text/text_table.h"

@@ -22,7 +22,6 @@
 #include "core/text.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/result_rasters.h"
-#include "params/keys/scene_parameters.h"
 
 namespace frana::app {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/publish/report_comparison.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <optional>
 
@@ -11,7 +10,6 @@
 #include "app/publish/report_tables.h"
 #include "app/store/result_files.h"
 #include "app/text/number_text.h"
-#include "core/text.h"
 #include "params/keys/result_rasters.h"
 
 namespace frana::app {

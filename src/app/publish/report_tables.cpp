@@ -17,12 +17,10 @@
 #include "core/words/words.h"
 #include "params/grammar/ini_file.h"
 #include "params/grammar/value_text.h"
-#include "params/keys/materials.h"
 #include "params/keys/scene_parameters.h"
 #include "params/keys/used_keys.h"
 #include "params/scene/write_scene.h"
 #include "simulation/simulation.h"
-#include "simulation/terms.h"
 
 namespace frana::app {
 namespace {

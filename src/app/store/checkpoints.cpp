@@ -2,7 +2,6 @@
 #include "app/store/checkpoints.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>

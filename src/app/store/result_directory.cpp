@@ -9,14 +9,12 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <optional>
 #include <set>
 #include <system_error>
 #include <thread>
-#include <utility>
 
 #include "app/store/checkpoints.h"
 #include "app/store/interrupted_run.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <utility>
 
 #include "app/store/result_files.h"
 #include "app/text/number_text.h"

@@ -2,7 +2,6 @@
 #include "app/study/plan/sampling.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>

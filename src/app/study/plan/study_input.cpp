@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -17,13 +16,10 @@
 #include "app/store/scene_identity.h"
 #include "app/study/plan/calibration_input.h"
 #include "app/study/plan/read_study.h"
-#include "app/text/number_text.h"
 #include "core/text.h"
 #include "gis/access/table_in.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/output_parameters.h"
-#include "params/keys/scene_parameters.h"
-#include "simulation/simulation.h"
 
 namespace frana::app::study {
 namespace {

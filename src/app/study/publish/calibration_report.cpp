@@ -2,7 +2,6 @@
 #include "app/study/publish/publish_calibration.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "analysis/trace.h"
 #include "app/compare/comparison.h"
@@ -16,8 +15,6 @@
 #include "app/study/publish/map_writer.h"
 #include "app/study/statistics/study_maps.h"
 #include "app/text/number_text.h"
-#include "app/text/version.h"
-#include "core/text.h"
 #include "gis/crs/crs.h"
 #include "gis/raster/footprint.h"
 #include "params/keys/output_parameters.h"

@@ -21,38 +21,27 @@ constexpr const char *k_probability = "probability", *k_rate = "annual_rate", *k
 /// What is exceeded once in so many years, which follow the name.
 constexpr std::pair<Quantity, const char*> k_once_rasters[] = {{Quantity::depth, "max_depth_T"},
                                                                {Quantity::velocity, "max_velocity_T"}};
+constexpr const char *k_upper_ending = "_upper",
+                     *k_upper_text = "upper bound: runs whose full reach is not known could have come";
 
 }  // namespace
 
 MapWriter::MapWriter(const Prepared& base, const ResultDirectory& directory)
     : directory_(directory), metadata_(provenance(base)), output_(base.spec.output), words_(words_of(base.spec)) {}
 
-void MapWriter::write(const std::string& name, const Raster& raster) const {
-    write(name, {band_of(name, raster)});
-}
-
-gis::BandText MapWriter::upper_text(const std::string& name, const std::string& unit) const {
-    return {name + "_upper", "upper bound: runs whose full reach is not known could have come", unit, metadata_};
-}
-
-void MapWriter::write_chance(const std::string& name, const Chance& chance, const Raster* upper) const {
-    gis::RasterBand band = band_of(name, chance.value);
-    band.zero_elsewhere = true;
+void MapWriter::write_chance(const std::string& name, const Raster& chance, const Raster& margin,
+                             const Raster* upper) const {
     const std::string what = name.starts_with(k_rate) ? "rate" : "probability";
-    std::vector<gis::RasterBand> bands{
-        band,
-        {chance.margin,
-         {name + "_margin", "Half of the interval of 95 % of the " + what, band.text.unit, metadata_},
-         true}};
-    if (upper != nullptr) bands.push_back({*upper, upper_text(name, band.text.unit), true});
-    write(name, bands);
+    write(name, chance,
+          {{"_margin", "Half of the interval of 95 % of the " + what, &margin}, {k_upper_ending, k_upper_text, upper}},
+          "", true);
 }
 
 QuantityMaps MapWriter::write_probabilities(const StudyRuns& runs, const GridSpec& grid,
                                             const MappedEvents& events) const {
     QuantityMaps maps = quantity_maps(runs, events.quantity, grid, events.thresholds);
     for (std::size_t t = 0; t < events.rasters.size(); ++t)
-        write_chance(events.rasters[t], {maps.probability[t], maps.margin[t]},
+        write_chance(events.rasters[t], maps.probability[t], maps.margin[t],
                      maps.upper.empty() ? nullptr : &maps.upper[t]);
     return maps;
 }
@@ -63,10 +52,9 @@ std::string rate_name(const std::string& probability) {
 
 void MapWriter::write_interval(const std::string& name, const Raster& value, const Raster& low, const Raster& high,
                                const std::string& of_high) const {
-    const gis::RasterBand band = band_of(name, value);
-    write(name, {band,
-                 {low, {name + "_low", "lower end of the interval of 95 %", band.text.unit, metadata_}},
-                 {high, {name + "_high", "upper end of the interval of 95 %; " + of_high, band.text.unit, metadata_}}});
+    write(name, value,
+          {{"_low", "lower end of the interval of 95 %", &low},
+           {"_high", "upper end of the interval of 95 %; " + of_high, &high}});
 }
 
 void MapWriter::write_return_period(const std::string& name, const Raster& rate, const Raster& margin,
@@ -91,7 +79,7 @@ RateMaps MapWriter::write_rates(const StudyResult& result, const MappedEvents& e
                               has_once ? periods : std::vector<double>{});
     for (std::size_t t = 0; t < events.rasters.size(); ++t) {
         const Raster* const upper = maps.upper.empty() ? nullptr : &maps.upper[t];
-        write_chance(rate_name(events.rasters[t]), {maps.rate[t], maps.margin[t]}, upper);
+        write_chance(rate_name(events.rasters[t]), maps.rate[t], maps.margin[t], upper);
         write_return_period(k_period + events.rasters[t].substr(std::string(k_probability).size()), maps.rate[t],
                             maps.margin[t], upper);
     }
@@ -103,25 +91,21 @@ RateMaps MapWriter::write_rates(const StudyResult& result, const MappedEvents& e
 
 void MapWriter::write_quantile(const std::string& name, const Raster& quantile,
                                const std::optional<Raster>& upper) const {
-    gis::RasterBand band = band_of(name, quantile);
-    band.text.description += ", at least";
-    if (!upper) band.text.description += "; without an upper bound";
-    std::vector<gis::RasterBand> bands{band};
-    if (upper) bands.push_back({*upper, upper_text(name, band.text.unit)});
-    write(name, bands);
+    write(name, quantile, {{k_upper_ending, k_upper_text, upper ? &*upper : nullptr}},
+          upper ? ", at least" : ", at least; without an upper bound");
 }
 
-gis::RasterBand MapWriter::band_of(const std::string& name, const Raster& raster) const {
-    const ResultRaster& row = *find_result_raster(name);
-    return {raster, {name, description_of(row, name, output_), row.unit, metadata_}};
-}
-
-void MapWriter::write(const std::string& name, const std::vector<gis::RasterBand>& bands) const {
+void MapWriter::write(const std::string& name, const Raster& values, const std::vector<Beside>& more,
+                      const std::string& note, bool zero_elsewhere) const {
     const ResultRaster& row = *find_result_raster(name);
     const std::string file = directory_.path(name + ".tif");
+    std::vector<gis::RasterBand> bands{
+        {values, {name, description_of(row, name, output_) + note, row.unit, metadata_}, zero_elsewhere}};
+    for (const auto& [ending, text, raster] : more)
+        if (raster != nullptr) bands.push_back({*raster, {name + ending, text, row.unit, metadata_}, zero_elsewhere});
     gis::write_geotiff(file, bands);
     if (!row.is_drawn()) return;
-    const std::vector<double> bounds = class_bounds(row, maximum(bands.front().raster));
+    const std::vector<double> bounds = class_bounds(row, maximum(values));
     gis::write_styles(file, gis::class_stops(palette(row.palette), bounds, row.unit, words_, row.zero_is_blank),
                       row.unit, gis::StyleKind::classed, raster_title(row, name, words_));
 }

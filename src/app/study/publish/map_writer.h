@@ -17,11 +17,6 @@
 
 namespace frana::app::study {
 
-/// A probability, or the rate that follows from it, and half of its interval of 95 %.
-struct Chance {
-    Raster value, margin;
-};
-
 /// The name of a rate, from that of its probability.
 std::string rate_name(const std::string& probability);
 
@@ -31,7 +26,7 @@ class MapWriter {
     /// @param base of which the rasters are made
     MapWriter(const Prepared& base, const ResultDirectory& directory);
 
-    void write(const std::string& name, const Raster& raster) const;
+    void write(const std::string& name, const Raster& raster) const { write(name, raster, {}); }
     /// Makes the maps of events, and writes their probabilities: with the margin as second band; 0, not nodata, where
     /// nothing came. Of open runs the upper bound is the third.
     QuantityMaps write_probabilities(const StudyRuns& runs, const GridSpec& grid, const MappedEvents& events) const;
@@ -45,17 +40,22 @@ class MapWriter {
     void write_quantile(const std::string& name, const Raster& quantile, const std::optional<Raster>& upper) const;
 
   private:
-    /// Of the band with the upper bound of a raster.
-    [[nodiscard]] gis::BandText upper_text(const std::string& name, const std::string& unit) const;
+    /// A band beside the values: how its name ends, what it is; null: there is none.
+    struct Beside {
+        const char* ending;
+        std::string text;
+        const Raster* raster;
+    };
+    /// @param note on the values  @param zero_elsewhere as RasterBand's, of all bands
+    void write(const std::string& name, const Raster& values, const std::vector<Beside>& more,
+               const std::string& note = "", bool zero_elsewhere = false) const;
     /// A probability or rate, its margin and, if any, its upper bound.
-    void write_chance(const std::string& name, const Chance& chance, const Raster* upper) const;
+    void write_chance(const std::string& name, const Raster& chance, const Raster& margin, const Raster* upper) const;
     /// Years between events of a rate.
     void write_return_period(const std::string& name, const Raster& rate, const Raster& margin,
                              const Raster* upper) const;
     void write_interval(const std::string& name, const Raster& value, const Raster& low, const Raster& high,
                         const std::string& of_high) const;
-    [[nodiscard]] gis::RasterBand band_of(const std::string& name, const Raster& raster) const;
-    void write(const std::string& name, const std::vector<gis::RasterBand>& bands) const;
 
     const ResultDirectory& directory_;
     std::map<std::string, std::string> metadata_;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "app/pictures/charts.h"
 #include "app/store/recorded_inputs.h"
@@ -21,7 +20,6 @@
 #include "core/text.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/output_parameters.h"
-#include "params/scene/write_scene.h"
 
 namespace frana::app::study {
 namespace {

@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <utility>
 
 #include "analysis/trace.h"
 #include "app/pictures/charts.h"
 #include "app/publish/publish_hazard.h"
 #include "app/publish/publish_project.h"
-#include "app/publish/report_comparison.h"
 #include "app/store/recorded_inputs.h"
 #include "app/store/result_directory.h"
 #include "app/store/result_files.h"
@@ -23,7 +21,6 @@
 #include "app/study/pool/study_result.h"
 #include "app/study/publish/map_writer.h"
 #include "app/study/statistics/study_maps.h"
-#include "app/text/number_text.h"
 #include "app/text/text_file.h"
 #include "core/text.h"
 #include "gis/raster/footprint.h"

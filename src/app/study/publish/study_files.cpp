@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iterator>
 #include <map>
 #include <numeric>
-#include <set>
 #include <utility>
 
 #include "analysis/trace.h"
@@ -27,13 +25,11 @@
 #include "app/study/statistics/cell_statistics.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
-#include "core/text.h"
 #include "gis/raster/footprint.h"
 #include "gis/raster/raster_out.h"
 #include "params/keys/output_parameters.h"
 #include "params/keys/result_rasters.h"
 #include "params/keys/used_keys.h"
-#include "params/scene/write_scene.h"
 #include "render/animation/movie.h"
 
 namespace frana::app::study {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numeric>
 #include <set>
 #include <string>
 
@@ -19,7 +18,6 @@
 #include "app/study/publish/map_writer.h"
 #include "app/text/number_text.h"
 #include "app/text/version.h"
-#include "core/colour.h"
 #include "core/text.h"
 #include "core/words/words.h"
 #include "params/grammar/value_text.h"

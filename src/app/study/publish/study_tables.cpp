@@ -3,19 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "app/pictures/map_layer.h"
 #include "app/publish/summary.h"
 #include "app/store/result_files.h"
-#include "app/store/scene_identity.h"
-#include "app/text/number_text.h"
 #include "app/text/text_table.h"
 #include "app/text/version.h"
 #include "core/json.h"
 #include "core/text.h"
-#include "params/keys/scene_parameters.h"
 
 namespace frana::app::study {
 namespace {

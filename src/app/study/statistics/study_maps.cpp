@@ -4,13 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 #include "app/study/member_record.h"
 #include "core/error.h"
-#include "core/text.h"
 #include "params/keys/result_rasters.h"
-#include "params/keys/scene_parameters.h"
 
 namespace frana::app::study {
 
