@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/accuracy/accuracy_case.h"
-#include "physics/stress_bingham.h"
 
 #include <algorithm>
 #include <array>
@@ -22,8 +21,7 @@ double block(Point p) {
 Material paper_material() {
     Material material = voellmy(20, 200);
     material.density = 1200;
-    material.of<BinghamStress>().viscosity = 2e3;
-    material.of<BinghamStress>().yield_stress = 30;
+    set_bingham(material, 2e3, 30);
     return material;
 }
 

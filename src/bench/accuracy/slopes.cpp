@@ -4,7 +4,6 @@
 #include "bench/accuracy/accuracy_case.h"
 #include "bench/exact/solutions.h"
 #include "physics/friction_coulomb.h"
-#include "physics/stress_bingham.h"
 
 namespace frana::bench {
 namespace {
@@ -417,7 +416,7 @@ CaseStatistics run_conservation(double cell_size, Scheme scheme) {
     setup.seeds = fill_lattice(grid, 2, 0, [](Point p) { return Seed{p.x < 20 ? p.x / 3 : 0}; });
     setup.material = voellmy(12, 200);
     setup.material.density = 1200;
-    setup.material.of<BinghamStress>().viscosity = 10;
+    set_bingham(setup.material, 10);
     setup.numerics = numerics_of(scheme, SlopeCorrection::none, Boundary::wall);
     TimedFlow run(setup);
     const double volume = run.model().volume();

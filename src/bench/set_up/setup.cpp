@@ -8,6 +8,7 @@
 #include "mpm/shape.h"
 #include "physics/friction_coulomb.h"
 #include "physics/friction_turbulence.h"
+#include "physics/stress_bingham.h"
 #include "simulation/finite_volume_flow.h"
 #include "simulation/structured_flow.h"
 
@@ -98,6 +99,11 @@ Material voellmy(double angle_deg, double turbulence) {
     Material material = dry_friction(angle_deg);
     material.of<TurbulentFriction>().turbulence = turbulence;
     return material;
+}
+
+void set_bingham(Material& material, double viscosity, double yield_stress) {
+    material.of<BinghamStress>().viscosity = viscosity;
+    material.of<BinghamStress>().yield_stress = yield_stress;
 }
 
 Numerics numerics_of(Scheme scheme, SlopeCorrection slope, Boundary boundary) {

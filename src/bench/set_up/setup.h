@@ -76,6 +76,8 @@ Material water();
 Material dry_friction(double angle_deg);
 /// The same with xi [m/s2].
 Material voellmy(double angle_deg, double turbulence);
+/// Gives it a viscosity [Pa s] and a yield stress [Pa] in the plane.
+void set_bingham(Material& material, double viscosity, double yield_stress = 0);
 
 /// Returns the scheme in its standard form: `paper` never corrects for steep ground.
 Numerics numerics_of(Scheme scheme, SlopeCorrection slope, Boundary boundary);

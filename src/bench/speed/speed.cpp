@@ -17,7 +17,6 @@
 #include "core/thread_pool.h"
 #include "mpm/vector/kernels.h"
 #include "particles/particle_set.h"
-#include "physics/stress_bingham.h"
 
 namespace frana::bench {
 namespace {
@@ -115,10 +114,7 @@ Setup speed_sheet(double particles, bool mud) {
     });
     setup.material = voellmy(12, 500);
     setup.material.density = 2000;
-    if (mud) {
-        setup.material.of<BinghamStress>().viscosity = 1000;
-        setup.material.of<BinghamStress>().yield_stress = 500;
-    }
+    if (mud) set_bingham(setup.material, 1000, 500);
     setup.numerics = numerics_of(Scheme::standard, SlopeCorrection::normal, Boundary::open);
     return setup;
 }
