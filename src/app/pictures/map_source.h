@@ -56,6 +56,7 @@ struct MapSource {
     std::string title;               ///< the scene's name
     std::string subtitle;            ///< model, scheme, simulated time
     std::string scenario;            ///< in its place on maps and views; empty: the subtitle
+    std::string one_run{};           ///< what it is, in a sentence; empty: of many runs
     Warnings warnings;               ///< that limit its use: maps are passed on without the report
     std::string terrain_source;      ///< of the elevations; empty: unknown
     std::vector<std::string> notes;  ///< values beside the map

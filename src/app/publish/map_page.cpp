@@ -445,7 +445,9 @@ class MapPage {
                "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
                escaped_markup(source_.title) + "</title>\n<style>" + style + "</style>\n<style>" + web("map.css") +
                "</style>\n</head>\n<body>\n<header><h1>" + escaped_markup(source_.title) + "</h1><p>" +
-               escaped_markup(scenario_line(source_)) + "</p><p class=\"screen\">" +
+               escaped_markup(
+                   sentences(scenario_line(source_), source_.one_run.empty() ? "" : words_(source_.one_run))) +
+               "</p><p class=\"screen\">" +
                text(worded("Click for values; with the keyboard, Enter asks for the middle.")) +
                "</p></header>\n<div id=\"map\" tabindex=\"0\" role=\"application\" aria-label=\"" +
                text(worded("Maps")) + "\"></div>\n<aside>\n<label class=\"screen\">" + text(worded("Maps")) +

@@ -14,6 +14,7 @@
 #include "app/pictures/result_reader.h"
 #include "app/process/terminal.h"
 #include "app/publish/map_page.h"
+#include "app/publish/report_answer.h"
 #include "app/store/frame_store.h"
 #include "app/store/own_files.h"
 #include "app/store/result_files.h"
@@ -40,6 +41,7 @@ MapSource map_source(const ResultReader& written, const PictureRequest& request)
     MapSource source = written.map_source(request.statistics);
     if (!request.date.empty()) source.style.date = date_on_maps(request.spec.output.map_date, request.date);
     source.title = title_of(request.spec);  // the folder does not have its name yet
+    source.one_run = what_one_run_is(request.spec);
     if (!request.warnings.empty()) source.warnings = request.warnings;
     return source;
 }

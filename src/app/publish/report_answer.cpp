@@ -283,16 +283,6 @@ Table four_answers(const ReportInput& input) {
     return table;
 }
 
-/// What a reader who signs has before him: whether the friction is a starting value or one of the scene's own.
-std::string what_it_is(const ReportInput& input) {
-    const SceneSpec& spec = input.prepared.spec;
-    bool is_own = false;
-    for (const std::string& key : told_keys(spec))
-        is_own = is_own || (key != "material.density" && spec.origin_of(key) == Origin::scene_file);
-    return input.words(is_own && !input.prepared.friction ? worded("One run with one set of values, the scene's own.")
-                                                          : worded("One run with one set of values, uncalibrated."));
-}
-
 /// A row of the answer's tables.
 struct Row {
     std::string name, value, unit, key;  ///< key: of its estimate
@@ -370,8 +360,19 @@ Warnings warnings_of(const ReportInput& input) {
     return warnings;
 }
 
+std::string what_one_run_is(const SceneSpec& spec) {
+    bool is_own = false;
+    for (const std::string& key : told_keys(spec))
+        is_own = is_own || (key != "material.density" && spec.origin_of(key) == Origin::scene_file);
+    return is_own && !spec.friction_table.name ? worded("One run with one set of values, the scene's own.")
+                                               : worded("One run with one set of values, uncalibrated.");
+}
+
 Document answer(const ReportInput& input) {
-    return Document().heading("answer", input.words("Answer")).add(four_answers(input)).small(what_it_is(input));
+    return Document()
+        .heading("answer", input.words("Answer"))
+        .add(four_answers(input))
+        .small(input.words(what_one_run_is(input.prepared.spec)));
 }
 
 std::string answer_lines(const ReportInput& input) {
@@ -385,7 +386,7 @@ std::string answer_lines(const ReportInput& input) {
         if (!one.where.empty()) parts.push_back(one.where);
         lines += (lines.empty() ? "" : "\n  ") + joined(parts, "; ");
     }
-    return lines + "\n  " + what_it_is(input);
+    return lines + "\n  " + input.words(what_one_run_is(input.prepared.spec));
 }
 
 Document scenario(const ReportInput& input) {
