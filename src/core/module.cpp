@@ -49,7 +49,7 @@ void require_module(const std::string& name) {
 
 const void* module_table(const std::string& name, ModuleScope scope, const char* type, std::size_t size) {
     const fs::path file = file_of(name);
-    // Never unloaded: its library may have started threads.
+    // Bound when called: most of its functions never are. Never unloaded: its library may have started threads.
     void* const library = ::dlopen(file.c_str(), RTLD_LAZY | (scope == ModuleScope::own ? RTLD_LOCAL : RTLD_GLOBAL));
     if (library == nullptr) fail("a part of frana cannot be loaded", file, ::dlerror());
     void* const entry = ::dlsym(library, k_module_entry);
