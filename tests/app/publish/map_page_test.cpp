@@ -122,6 +122,7 @@ TEST_F(MapPage, HasTheValuesOfItsRasters) {
         EXPECT_GT(compared, 20U) << name;
     }
     EXPECT_EQ(page["layers"][0]["name"], "max_depth");
+    EXPECT_NE(text_of(path("result/map.html")).find("One run with one set of values"), std::string::npos);
     EXPECT_LE(page["layers"][0]["step"].get<double>(), 0.01 * 0.2);
 }
 
@@ -181,6 +182,8 @@ TEST_F(MapPage, DrawsALineAndPlaysOnAPhone) {
                  "seen = {columns: grid.columns, wide: document.documentElement.scrollWidth - "
                  "document.documentElement.clientWidth};\n"
                  "const w = grid.columns * grid.cell, h = grid.rows * grid.cell;\n"
+                 "await click(0.5 * w, 0.5 * h); seen.popup = "
+                 "document.querySelector('.leaflet-popup-content').textContent; map.closePopup();\n"
                  "byId('line').click(); await click(0.25 * w, 0.5 * h); await click(0.75 * w, 0.5 * h); "
                  "byId('line').click(); await wait(300);\n"
                  "seen.charts = document.querySelectorAll('#chart svg').length;\n"
@@ -198,6 +201,8 @@ TEST_F(MapPage, DrawsALineAndPlaysOnAPhone) {
                  "= byId('legend').textContent;",
              500);
     EXPECT_LE(page["wide"], 0);
+    EXPECT_NE(page["popup"].get<std::string>().find("Maximum velocity"), std::string::npos)
+        << "all values, at the touch";
     EXPECT_GE(page["charts"].get<int>(), 3);
     const std::string csv = page["csv"];
     EXPECT_TRUE(csv.starts_with("distance_m,x,y,ground_m,max_depth_m,max_velocity_ms")) << csv.substr(0, 100);

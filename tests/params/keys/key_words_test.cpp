@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
 
 namespace frana {
@@ -28,6 +31,18 @@ TEST(KeyWords, LawsStandInTheLanguagesSentence) {
     const Words german(Language::german);
     EXPECT_EQ(meaning_in(*find_parameter(keys, "material.manning"), german),
               "n nach Manning. Benutzt von material.bed-friction = obrien-julien, manning.");
+}
+
+TEST(UsualMaps, AreThoseThatNeedNotBeNamed) {
+    const std::vector<std::string> usual = usual_maps(), known = map_names();
+    const auto has = [](const std::vector<std::string>& list, const std::string& name) {
+        return std::find(list.begin(), list.end(), name) != list.end();
+    };
+    EXPECT_TRUE(has(usual, RasterName::max_depth) && has(usual, RasterName::max_velocity));
+    for (const char* name : {RasterName::outside_depth, RasterName::jump_height}) {
+        EXPECT_FALSE(has(usual, name)) << name;
+        EXPECT_TRUE(has(known, name)) << name;
+    }
 }
 
 }  // namespace
