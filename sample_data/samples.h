@@ -16,7 +16,7 @@ void write_bindo_sample(const std::string& folder);
 void write_fan_sample(const std::string& folder);
 
 /// The flume's break of slope [m], and the block's path and the obstacle's side of it across the flume [m].
-inline constexpr double k_flume_break = 1.2, k_flume_width = 0.6;
+inline constexpr double k_flume_break = 1.2;
 inline constexpr double k_block_south = 0.175, k_block_north = 0.425, k_obstacle_north = 0.275;
 
 /// Writes the flume of section 3 of van den Bout et al. (2021), as far as its text specifies it, in plain metres:

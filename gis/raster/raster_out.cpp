@@ -63,7 +63,8 @@ RasterText read_raster_text(const std::string& path) {
     RasterText text;
     text.description = GDALGetDescription(band);
     text.unit = GDALGetRasterUnitType(band);
-    text.bands = GDALGetRasterCount(dataset.get());
+    for (int next = 2; next <= GDALGetRasterCount(dataset.get()); ++next)
+        text.further.emplace_back(GDALGetDescription(GDALGetRasterBand(dataset.get(), next)));
     char** items = GDALGetMetadata(dataset.get(), nullptr);
     for (int i = 0; i < CSLCount(items); ++i) {
         const std::string pair = items[i];

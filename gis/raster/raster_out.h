@@ -29,7 +29,7 @@ struct RasterText {
     std::string unit;                             ///< of the values
     std::map<std::string, std::string> metadata;  ///< of the file: PROGRAM, TIME_S, ...
     std::vector<NamedClass> classes;              ///< its visible entries, if the band has a colour table
-    int bands = 1;                                ///< of the file
+    std::vector<std::string> further;             ///< descriptions of the bands after it
 };
 
 /// Reads them. Throws Error(input) if the file cannot be read.

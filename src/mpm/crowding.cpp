@@ -10,7 +10,7 @@
 namespace frana {
 namespace {
 
-// What lies on the cells of the nodes that newcomers touch.
+// What lies on the cells of the nodes that appended touch.
 class Columns {
   public:
     struct Column {
@@ -90,13 +90,13 @@ class Columns {
 
 }  // namespace
 
-std::vector<std::size_t> make_room(const NodeGrid& nodes, const TileOrder& order, std::size_t first,
-                                   ParticleSet& particles) {
+std::vector<std::size_t> fit_appended(const NodeGrid& nodes, const TileOrder& order, std::size_t first,
+                                      ParticleSet& particles) {
     std::vector<std::size_t> changed;
     if (first == particles.size()) return changed;
     const NodeScale grid = nodes.scale();
     Columns columns(grid, particles, first);
-    std::vector<std::size_t> near;  // the newcomers at the end
+    std::vector<std::size_t> near;  // the appended at the end
     for (const ParticleTile& tile : order.tiles())
         for (std::size_t p = tile.begin; p < tile.end; ++p)
             if (columns.is_near(p) && columns.add(p)) near.push_back(p);
@@ -116,7 +116,7 @@ std::vector<std::size_t> make_room(const NodeGrid& nodes, const TileOrder& order
     for (const std::size_t p : near) columns.add(p);
     for (const std::size_t p : near) {
         const Columns::Column column = columns.at(p);
-        const double bound = least(p, column) / k_tower;
+        const double bound = least(p, column) / k_max_depth_ratio;
         if (!(column.fraction > 1 && area[p] > bound)) continue;
         area[p] = std::max(area[p] / column.fraction, bound);
         changed.push_back(p);

@@ -51,7 +51,7 @@ inline constexpr double k_largest_claim = 4;
 inline constexpr double k_front_shear = 0.7;
 
 /// A particle this many times deeper than its cells' mean depth is not compressed further.
-inline constexpr double k_tower = 2;
+inline constexpr double k_max_depth_ratio = 2;
 
 /// Fraction of a cell from which it counts as full when material converges. Rounding must not decide for a lattice that
 /// fills its cells exactly.
@@ -114,8 +114,8 @@ template <class Number>
 template <class Number>
 [[gnu::always_inline]] inline Number filling_growth(Number growth, Number volume, Number area, Number fraction,
                                                     Number cell_depth, double cell_area) {
-    const auto tower = volume * fraction * cell_area > k_tower * area * cell_depth;
-    return select((growth < 1) & ((fraction < k_full_fraction) | tower), Number(1.0), growth);
+    const auto too_deep = volume * fraction * cell_area > k_max_depth_ratio * area * cell_depth;
+    return select((growth < 1) & ((fraction < k_full_fraction) | too_deep), Number(1.0), growth);
 }
 
 /// Area relaxation, which ties a particle's depth to the mass on the grid: its area grows or shrinks with the fraction

@@ -170,16 +170,16 @@ void TileOrder::reach_from(ParticleTile& tile, std::int64_t west, std::int64_t e
 }
 
 void TileOrder::amend(ParticleSet& particles, const std::vector<std::size_t>& dropped, std::size_t first) {
-    struct Newcomer {
+    struct Appended {
         std::int64_t tile;
         ParticleRow row;
     };
-    std::vector<Newcomer> newcomers;
+    std::vector<Appended> appended;
     const auto before = [](const auto& a, const auto& b) { return a.tile < b.tile; };
     for (std::size_t p = first; p < particles.size(); ++p) {
         const double x = particles[Field::x][p], y = particles[Field::y][p];
-        newcomers.push_back({tile_of(x, y), particles.row(p)});
-        ParticleTile tile{0, 0, newcomers.back().tile, tiles_x_, -1, grid_.tiles_y(), -1};
+        appended.push_back({tile_of(x, y), particles.row(p)});
+        ParticleTile tile{0, 0, appended.back().tile, tiles_x_, -1, grid_.tiles_y(), -1};
         auto at = std::lower_bound(tiles_.begin(), tiles_.end(), tile, before);
         if (at == tiles_.end() || at->tile != tile.tile) {
             tile.begin = tile.end = at == tiles_.end() ? first : at->begin;
@@ -187,7 +187,7 @@ void TileOrder::amend(ParticleSet& particles, const std::vector<std::size_t>& dr
         }
         reach_from(*at, nodes_.x(x), nodes_.x(x), nodes_.y(y), nodes_.y(y));
     }
-    std::stable_sort(newcomers.begin(), newcomers.end(), before);
+    std::stable_sort(appended.begin(), appended.end(), before);
 
     // Runs of particles that move alike, in ascending order of their places before and after.
     struct Run {
@@ -203,14 +203,14 @@ void TileOrder::amend(ParticleSet& particles, const std::vector<std::size_t>& dr
         next += end - begin;
     };
     auto drop = dropped.begin();
-    auto newcomer = newcomers.begin();
-    std::vector<std::size_t> places;  // of the newcomers
+    auto one = appended.begin();
+    std::vector<std::size_t> places;  // of the appended
     for (ParticleTile& tile : tiles_) {
         const std::size_t begin = next;
         std::size_t p = tile.begin;
         for (; drop != dropped.end() && *drop < tile.end; p = *drop++ + 1) keep(p, *drop);
         keep(p, tile.end);
-        for (; newcomer != newcomers.end() && newcomer->tile == tile.tile; ++newcomer) places.push_back(next++);
+        for (; one != appended.end() && one->tile == tile.tile; ++one) places.push_back(next++);
         tile.begin = begin;
         tile.end = next;
     }
@@ -224,7 +224,7 @@ void TileOrder::amend(ParticleSet& particles, const std::vector<std::size_t>& dr
             if (r->to > r->from)
                 std::copy_backward(values + r->from, values + r->from + r->size, values + r->to + r->size);
     }
-    for (std::size_t i = 0; i < places.size(); ++i) particles.set_row(places[i], newcomers[i].row);
+    for (std::size_t i = 0; i < places.size(); ++i) particles.set_row(places[i], appended[i].row);
     particles.resize(next);
     list_nodes();
 }

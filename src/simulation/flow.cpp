@@ -100,13 +100,13 @@ ParticleSet with_fields(const ParticleSet& seeds, const PorePressure& pores, Fie
 
 // Material that enters where there is already some increases the depth: particles near the new ones reduce their area
 // until together they claim no more than the available area. Reads NodeForces area.
-void shrink_neighbours(const ParticleSet& newcomers, const NodeGrid& nodes, ParticleSet& particles) {
+void shrink_neighbours(const ParticleSet& appended, const NodeGrid& nodes, ParticleSet& particles) {
     const NodeScale grid = nodes.scale();
     std::vector<std::size_t> near;
-    for (std::size_t p = 0; p < newcomers.size(); ++p) {
+    for (std::size_t p = 0; p < appended.size(); ++p) {
         for (int b = -1; b <= 1; ++b) {
             for (int a = -1; a <= 1; ++a) {
-                const double x = newcomers[Field::x][p] + a * grid.dx, y = newcomers[Field::y][p] + b * grid.dx;
+                const double x = appended[Field::x][p] + a * grid.dx, y = appended[Field::y][p] + b * grid.dx;
                 if (nodes.bounds().contains(x, y)) near.push_back(grid.node_of(x, y));
             }
         }

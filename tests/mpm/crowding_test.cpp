@@ -75,7 +75,7 @@ TEST(MakeRoom, GivesNewcomersAndPondTheirCommonDepth) {
         particles.push_back(row);
     }
     EXPECT_GT(OnGroundOf(grid, particles).greatest().fraction, 50);
-    const std::vector<std::size_t> changed = make_room(NodeGrid(Raster(grid, 0.0)), order, first, particles);
+    const std::vector<std::size_t> changed = fit_appended(NodeGrid(Raster(grid, 0.0)), order, first, particles);
     const OnGround now = OnGroundOf(grid, particles).greatest();
     // The factor of a particle is the mean of those of its nodes: where these differ, a tenth too small.
     EXPECT_LT(now.fraction, k_piled_fraction);
@@ -103,7 +103,7 @@ TEST(MakeRoom, LeavesWhatFits) {
     get(row, Field::y) = 10.5;
     particles.push_back(row);
     const std::vector<double> before(particles[Field::area], particles[Field::area] + particles.size());
-    EXPECT_TRUE(make_room(NodeGrid(Raster(grid, 0.0)), order, first, particles).empty());
+    EXPECT_TRUE(fit_appended(NodeGrid(Raster(grid, 0.0)), order, first, particles).empty());
     for (std::size_t p = 0; p < particles.size(); ++p) ASSERT_EQ(particles[Field::area][p], before[p]);
 }
 

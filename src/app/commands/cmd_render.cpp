@@ -344,7 +344,7 @@ Command command_render() {
         "frana render RESULT_DIR|RASTER [options]",
         "Draws maps and views of a result, or of any program's raster with --dtm, or the frames of a result as "
         "an\nanimation. Nothing is computed again. Prints the names of the files. The style of pictures is written "
-        "from the scene's\noutput.map-... and output.view-... keys; options override them.",
+        "from the scene's\noutput.map-... keys; options override them.",
         "RESULT_DIR|RASTER",
         {}};
     form.options.add_options()(

@@ -139,7 +139,8 @@ std::string bare_description(std::string text) {
 }
 
 bool has_scheme(const std::string& kind) {
-    return kind == "hazard" || kind == k_degree_map || kind.starts_with("scenario_intensity_");
+    const ResultRaster* const row = find_result_raster(kind);
+    return row != nullptr && row->of_scheme;
 }
 
 using Metadata = std::map<std::string, std::string>;
@@ -203,7 +204,7 @@ bool omits_flights(const std::string& path, const std::string& kind) {
 std::optional<std::string> probability_of(const gis::RasterText& text) {
     const std::string name = text.description.substr(0, text.description.find(": "));
     const ResultRaster* const row = find_result_raster(name);
-    if (row == nullptr || !row->name.starts_with("probability_")) return std::nullopt;
+    if (row == nullptr || !row->is_probability) return std::nullopt;
     return name;
 }
 

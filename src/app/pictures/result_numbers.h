@@ -127,7 +127,7 @@ struct ScenarioFacts {
 /// Returns the name of the model, with the scheme where it is not the default.
 std::string voellmy_bingham_words(const std::string& scheme);
 
-/// Returns what fails, how much of it, the model and its values: "Release North, South: 12 300 m3; Voellmy-Bingham,
+/// Returns the release, its volume, the model and its values: "Release North, South: 12 300 m3; Voellmy-Bingham,
 /// friction angle 12 degrees, turbulence 500 m/s2, density 2000 kg/m3. The run ended after 120 s: ...". Of values that
 /// differ from place to place it says so.
 std::string scenario_words(const ScenarioFacts& facts, const Words& words);

@@ -60,7 +60,7 @@ double reached_on(const std::string& raster, const Feature& feature) {
     const ResultRaster* const row = find_result_raster(raster);
     if (row == nullptr || !row->by_value || !(any > 0)) return any;
     const std::string value = raster.substr(row->of_value("").size());
-    if (row->name.starts_with("scenario_")) {
+    if (row->of_scenario) {
         const double depth = number(value + "_max_depth_m");
         return std::isnan(depth) ? any : static_cast<double>(depth > 0);
     }

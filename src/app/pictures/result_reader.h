@@ -72,7 +72,6 @@ class ResultReader {
     /// "particle_cohesion@12.5" name the frame nearest in time [s]; "uncertainty" is that of `frana converge` beside
     /// the result. Throws Error(input) listing the available names.
     [[nodiscard]] MapLayer map_layer(const std::string& name) const;
-    /// Returns the particles of a frame for a map. Throws Error(input) if they were not written.
     /// Replaces the values at the end beside the map, if those of this time [s] are known.
     void show_figures_of(double time, MapLayer& layer) const;
     [[nodiscard]] MapLayer particle_layer(const StoredFrame& frame, const ParticleQuantity& quantity) const;

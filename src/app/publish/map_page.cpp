@@ -268,23 +268,17 @@ class MapPage {
                 if (const std::string name = layer["name"]; name.starts_with(shown)) return name;
         return layers.front()["name"];
     }
-    /// The margin of a chance, the interval of a value, the bound that open runs leave: further bands of its file.
+    /// The margin of a chance, the interval of a value, the bound that open runs leave: further bands of its file, as
+    /// "probability_depth_1_margin: ...".
     void add_doubt(const std::string& name, double step, Json& json) {
         const std::string file = result_.path(raster_file(name));
-        const int bands = gis::read_raster_text(file).bands;
-        const auto add = [&](const char* key, int band) {
-            if (const auto one = cells(shown(gis::read_result_raster(file, band)), step, json["title"]))
-                json[key] = *one;
-        };
-        const bool is_chance = name.starts_with("probability_") || name.starts_with("annual_rate_");
-        const bool has_interval =
-            name.starts_with("max_depth_T") || name.starts_with("max_velocity_T") || name.starts_with("return_period_");
-        if (is_chance && bands > 1) add("margin", 2);
-        if (is_chance && bands > 2) add("upper", 3);
-        if (name.starts_with("quantile_") && bands > 1) add("upper", 2);
-        if (has_interval && bands > 2) {
-            add("low", 2);
-            add("high", 3);
+        int band = 1;
+        for (const std::string& description : gis::read_raster_text(file).further) {
+            ++band;
+            const std::string own = description.substr(0, description.find(':'));
+            if (!own.starts_with(name + "_")) continue;
+            if (auto one = cells(shown(gis::read_result_raster(file, band)), step, json["title"]))
+                json[own.substr(name.size() + 1)] = *std::move(one);
         }
     }
     [[nodiscard]] Json frames() {

@@ -178,7 +178,7 @@ std::string origin_text(const SceneSpec& spec, const std::string& key, const Wor
 
 namespace {
 
-/// What fails, the model, and each value of its laws with its origin; the source of a preset.
+/// The release, the model, and each value of its laws with its origin; the source of a preset.
 Table scenario_table(const ReportInput& input) {
     const Words& words = input.words;
     const ReportNumbers number(words);

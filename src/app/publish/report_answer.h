@@ -12,7 +12,6 @@ namespace frana::app {
 
 // The first page of a report.
 
-/// Returns the comments of the scene's material preset; none without a preset, or if it cannot be read.
 /// Returns the origin of a key's value: "scene file", "preset bindo".
 std::string origin_text(const SceneSpec& spec, const std::string& key, const Words& words);
 
@@ -34,7 +33,7 @@ std::string what_one_run_is(const SceneSpec& spec);
 Document answer(const ReportInput& input);
 /// The same for a terminal, a line each.
 std::string answer_lines(const ReportInput& input);
-/// What fails and moves how; exposure, comparison, warnings.
+/// Release and motion; exposure, comparison, warnings.
 Document scenario(const ReportInput& input);
 /// Further values with their estimated errors.
 Document answer_tables(const ReportInput& input);

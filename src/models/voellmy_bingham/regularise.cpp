@@ -163,7 +163,7 @@ void leave_and_land(Step& now) {
     state.volume_left += landed.left;
     if (leaving.empty() && landed.count == 0) return;
     const std::size_t first = state.particles.size() - landed.count;
-    for (const std::size_t p : make_room(state.nodes, state.order, first, state.particles))
+    for (const std::size_t p : fit_appended(state.nodes, state.order, first, state.particles))
         bound_by(state, p, now.laws);
     for (std::size_t p = first; p < state.particles.size(); ++p) {
         bound_by(state, p, now.laws);

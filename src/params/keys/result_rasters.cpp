@@ -123,7 +123,7 @@ void add_study(Table& table) {
     };
     const auto probability = [&](const char* name, const char* title, const char* description) {
         ResultRaster& row = for_values(name, title, description, "-", "depth", k_even);
-        row.zero_is_blank = row.with_study = true;
+        row.zero_is_blank = row.with_study = row.is_probability = true;
         row.bounds = {0, 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 1};
     };
     table.by("calibrate", "by `frana calibrate`, for each event");
@@ -180,7 +180,7 @@ void add_region(Table& table) {
     const auto of_scenario = [&](const char* name, const char* title, const char* description, const char* unit,
                                  const char* palette, bool progressive) -> ResultRaster& {
         ResultRaster& row = table.flow(name, title, description, unit, palette, progressive);
-        row.by_value = row.zero_is_blank = true;
+        row.by_value = row.zero_is_blank = row.of_scenario = true;
         return row;
     };
     of_scenario("scenario_max_depth", "Maximum depth, scenario {}",
@@ -199,12 +199,11 @@ void add_region(Table& table) {
     ResultRaster& intensity = of_scenario("scenario_intensity", "Intensity, scenario {}",
                                           "Greatest class of intensity in scenario {}", "", "depth", k_even);
     intensity.kind = RasterKind::classes;
-    intensity.with_study = true;
+    intensity.with_study = intensity.of_scheme = true;
     table.by("batch", "by `frana batch` with `region.return-period`");
-    table
-        .add(RasterName::hazard_degree, RasterKind::classes, "Degree of hazard",
-             "Degree of hazard from intensity and return period", "", "depth", k_even)
-        .with_study = true;
+    ResultRaster& degree = table.add(RasterName::hazard_degree, RasterKind::classes, "Degree of hazard",
+                                     "Degree of hazard from intensity and return period", "", "depth", k_even);
+    degree.with_study = degree.of_scheme = true;
 }
 
 /// Rasters without classes of their own have those of the first quantity with their unit.
@@ -219,9 +218,8 @@ void set_classes_by_unit(std::vector<ResultRaster>& rows) {
 /// stays vertical.
 void set_flow_depths(std::vector<ResultRaster>& rows) {
     for (ResultRaster& row : rows)
-        row.is_flow_depth = row.kind != RasterKind::given && !depth_direction(row.description).empty() &&
-                            !row.name.starts_with("eroded") && !row.name.starts_with("deposited") &&
-                            row.name != RasterName::elevation_change;
+        row.is_flow_depth =
+            row.kind != RasterKind::given && !row.of_ground && !depth_direction(row.description).empty();
 }
 
 void add_run(Table& table) {
@@ -251,10 +249,10 @@ void add_run(Table& table) {
     outside.is_surface = outside.if_it_happens = outside.only_asked = true;
 
     table.when("at the end of a run", nullptr);
-    table
-        .flow(RasterName::elevation_change, "Change of elevation", "Deposit minus release and erosion, vertical", "m",
-              "difference", k_even)
-        .bounds = {-k_infinity, -10, -5, -2, -0.5, 0.5, 2, 5, 10, k_infinity};
+    ResultRaster& change = table.flow(RasterName::elevation_change, "Change of elevation",
+                                      "Deposit minus release and erosion, vertical", "m", "difference", k_even);
+    change.of_ground = true;
+    change.bounds = {-k_infinity, -10, -5, -2, -0.5, 0.5, 2, 5, 10, k_infinity};
 }
 
 void add_choices(Table& table) {
@@ -270,7 +268,7 @@ void add_choices(Table& table) {
         .bounds = {0, 500, 1000, 1500, 2000, 2500, 3000, 3500, k_infinity};
 
     table.when("with `[hazard] scheme`", [](const SceneSpec& scene) { return scene.hazard.scheme.has_value(); });
-    table.add("hazard", RasterKind::classes, "Intensity", "Classes of intensity", "", "depth", k_even);
+    table.add("hazard", RasterKind::classes, "Intensity", "Classes of intensity", "", "depth", k_even).of_scheme = true;
     table.when("with a hazard scheme or a threshold that uses it, or `output.rasters`", [](const SceneSpec& scene) {
         return scene.hazard.scheme.has_value() || asks_for_intensity(scene.output) ||
                !scene.output.momentum_flux_thresholds.empty();
@@ -303,10 +301,14 @@ void add_choices(Table& table) {
     stress(RasterName::plane_stress_yy, "In-plane stress yy", "Normal stress in the plane across y, compression");
 
     table.when("with `[entrainment]`", [](const SceneSpec& scene) { return scene.entrainment.active(); });
-    table.flow(RasterName::eroded_depth, "Eroded depth", "Depth eroded from the bed, vertical", "m", "depth",
-               k_progressive);
-    table.flow(RasterName::deposited_depth, "Deposited depth", "Depth deposited on the bed, vertical", "m", "depth",
-               k_progressive);
+    table
+        .flow(RasterName::eroded_depth, "Eroded depth", "Depth eroded from the bed, vertical", "m", "depth",
+              k_progressive)
+        .of_ground = true;
+    table
+        .flow(RasterName::deposited_depth, "Deposited depth", "Depth deposited on the bed, vertical", "m", "depth",
+              k_progressive)
+        .of_ground = true;
 
     table.when("where material flew over an edge",
                [](const SceneSpec& scene) { return scene.material.model != "structured" && flight(scene.numerics); });

@@ -83,12 +83,16 @@ struct ResultRaster {
     bool of_depth = false;         ///< a depth times something else
     bool in_frames = false;        ///< also at every frame
     bool is_surface = false;       ///< thickness: a view shows the surface of the flow
-    bool has_view = false;         ///< output.maps = on draws a view as well as a map
+    bool has_view = false;         ///< output.maps may name its view: NAME_3d
     bool by_value = false;         ///< one for each value (a threshold, a key), which takes the place of {} in texts
     const char* joint = "_";       ///< between the name and the value
     bool with_study = false;       ///< of many runs: a map of it is drawn at once; `frana render` draws the others
     bool zero_is_blank = false;    ///< 0 is a value, and nothing is drawn there
     bool is_flow_depth = false;    ///< measured as output.depth says; its description has k_vertical
+    bool of_ground = false;        ///< a thickness of the ground: vertical, whatever output.depth says
+    bool is_probability = false;   ///< of an event
+    bool of_scenario = false;      ///< its value is the name of a region's scenario
+    bool of_scheme = false;        ///< classes of hazard.scheme
     std::vector<double> bounds{};  ///< of its classes, whatever the scene; empty: those of `classes`
     std::string asked_by{};        ///< word of output.rasters; empty: none is needed
     std::string classes{};         ///< row of quantity_classes() ; empty: from its values

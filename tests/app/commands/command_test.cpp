@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/commands/command_line.h"
 #include "core/words/words.h"
 #include "support/checked_scene.h"
 #include "support/problems.h"
@@ -13,11 +15,16 @@ using Command = CheckedScene;
 
 TEST_F(Command, HelpAndVersion) {
     EXPECT_EQ(frana({"--version"}).out.rfind("frana ", 0), 0U);
-    for (const std::string command : {"run", "check", "render", "compare", "params", "materials", "schemes"}) {
+    std::string told = read_text(FRANA_SOURCE_DIR "/README.md");
+    for (const auto& entry : std::filesystem::directory_iterator(FRANA_SOURCE_DIR "/share/doc"))
+        if (entry.path().extension() == ".md") told += read_text(entry.path().string());
+    for (const app::Command& row : app::commands()) {
+        const std::string command = row.name;
         const Outcome outcome = succeeded(frana({command, "--help"}));
         EXPECT_EQ(outcome.err, "");
         EXPECT_EQ(outcome.out.rfind("Usage: frana " + command, 0), 0U) << outcome.out;
         EXPECT_NE(frana({"--help"}).out.find("  " + command), std::string::npos);
+        EXPECT_NE(told.find("frana " + command), std::string::npos) << command << " is in no document";
     }
 }
 

@@ -151,9 +151,9 @@ std::vector<double> distances_in(const MemberRecord& record, const GridSpec& gri
     return distances;
 }
 
-/// Divides cells into lots that lie in one block each, of at most `most`.
-std::vector<std::vector<std::size_t>> lots_of(const std::vector<std::size_t>& cells, const GridSpec& grid,
-                                              std::size_t most) {
+/// Divides cells into batches that lie in one block each, of at most `most`.
+std::vector<std::vector<std::size_t>> batches_of(const std::vector<std::size_t>& cells, const GridSpec& grid,
+                                                 std::size_t most) {
     std::map<std::pair<std::int64_t, std::int64_t>, std::vector<std::size_t>> blocks;
     for (const std::size_t cell : cells) {
         const auto at = static_cast<std::int64_t>(cell);
@@ -207,7 +207,7 @@ std::vector<Raster> outline_fractions(const FinishedMembers& members, const Desi
     const CellWindow reached = reached_window(members, grid);
     const std::size_t at_once = std::max<std::size_t>(
         1, CellStore::k_budget_bytes / (sizeof(double) * std::max<std::size_t>(1, members.size())));
-    for (const std::vector<std::size_t>& cells : lots_of(rim, grid, at_once)) {
+    for (const std::vector<std::size_t>& cells : batches_of(rim, grid, at_once)) {
         const CellWindow window = window_around(cells, grid, reached);
         std::vector<std::vector<double>> distances(cells.size());
         for (const RecordPlace& record : members.records) {
