@@ -90,27 +90,6 @@ TEST(View, GivenCameraAndExaggerationAreUsed) {
     }));
 }
 
-TEST(View, WithoutLayerShowsTheTerrain) {
-    const Raster ground = test::terrain();
-    ViewSpec spec;
-    spec.terrain = &ground;
-    spec.width = 640;
-    spec.height = 480;
-    const Image image = draw_view(spec);
-    EXPECT_EQ(image.height, 480);
-}
-
-TEST(View, GapsInTheTerrainAreNoObstacle) {
-    Raster ground = test::terrain();
-    const Raster layer = test::tongue();
-    for (std::int64_t row = 0; row < 30; ++row) {
-        for (std::int64_t column = 0; column < 30; ++column) ground.at(row, column) = k_no_data;
-    }
-    ViewLayout layout;
-    draw_view(view(ground, layer), &layout);
-    EXPECT_TRUE(layout.flow.inside(layout.picture));
-}
-
 TEST(View, InvalidViewsAreRefused) {
     const Raster ground = test::terrain(), layer = test::tongue();
     EXPECT_THROW(draw_view(ViewSpec{}), Error);
