@@ -48,6 +48,7 @@ Scene wide(Scene scene) {
         scene.structured->initial_fluid = pond;
     }
     scene.grid = scene.terrain.grid;
+    scene.time.frame_interval *= 3;  // frames have a million cells
     return scene;
 }
 

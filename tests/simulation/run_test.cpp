@@ -71,21 +71,12 @@ TEST(Run, TellsOfAFlowOfFewCells) {
 
 TEST(Run, GivesMaximaArrivalSeriesAndBudget) {
     const Scene scene = slide();
-    RunOptions options;
-    std::vector<double> times;
-    options.on_frame = [&](const Frame& frame) { times.push_back(frame.time); };
-    const RunResult result = run(scene, options);
+    const RunResult result = run(scene, {});
     EXPECT_EQ(result.stop_reason, StopReason::still);
     EXPECT_TRUE(result.hard_events.none());
     EXPECT_NEAR(result.volume_initial, 2 * 30 * 40, 1e-9 * result.volume_initial);
     EXPECT_NEAR(result.volume_final + result.volume_left, result.volume_initial, 1e-12 * result.volume_initial);
     EXPECT_EQ(static_cast<std::int64_t>(result.series.size()), result.steps);
-    ASSERT_GT(times.size(), 3u);
-    EXPECT_EQ(times[0], 0);
-    for (std::size_t i = 1; i + 1 < times.size(); ++i) {
-        EXPECT_GE(times[i], 2.0 * static_cast<double>(i));
-        EXPECT_LT(times[i], 2.0 * static_cast<double>(i) + 0.5) << "a step at most";
-    }
     double seen = 0;
     for (std::size_t i = 0; i < result.raster("max_depth").values.size(); ++i) {
         const double depth = result.raster("max_depth").values[i];

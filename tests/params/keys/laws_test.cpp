@@ -196,13 +196,19 @@ std::string keys_for_preset(const std::string& preset) {
     return preset == "earthflow" ? "viscosity = 20000\n" : "";
 }
 
-TEST_F(Laws, EchoOfEveryPresetIsAScene) {
-    for (const MaterialPreset& preset : material_presets(FRANA_SOURCE_SHARE "/materials")) {
+TEST_F(Laws, EveryPresetMakesASceneAsItsEchoDoesAndNamesItsSource) {
+    const std::vector<MaterialPreset> presets = material_presets(FRANA_SOURCE_SHARE "/materials");
+    ASSERT_GE(presets.size(), 5U);
+    for (const MaterialPreset& preset : presets) {
         const SceneReading reading =
             read(k_ground + "[material]\npreset = " + preset.name + "\n" + keys_for_preset(preset.name));
         EXPECT_TRUE(reading.problems.empty())
             << preset.name << ": " << (reading.problems.empty() ? "" : describe(reading.problems.list()[0]));
         EXPECT_TRUE(no_problem(problems(scene_text(reading.scene, {})))) << preset.name;
+        std::string comments;
+        for (const std::string& line : preset.comments) comments += line + '\n';
+        EXPECT_NE(comments.find("Source:"), std::string::npos) << preset.name;
+        EXPECT_NE(comments.find("Range:"), std::string::npos) << preset.name;
     }
 }
 

@@ -58,24 +58,11 @@ const Raster* named(const std::vector<NamedRaster>& rasters, const std::string& 
 }
 
 TEST(StructuredRun, FluidGivesMaximaArrivalSeriesAndBudget) {
-    std::vector<double> times;
     RunOptions options;
-    options.on_frame = [&](const Frame& frame) {
-        times.push_back(frame.time);
-        EXPECT_TRUE(frame.more.empty());
-    };
+    options.on_frame = [&](const Frame& frame) { EXPECT_TRUE(frame.more.empty()); };
     const RunResult result = run(slope(false), options);
     budget_closes(result);
     EXPECT_EQ(result.particles_peak, 0);
-    ASSERT_EQ(times.size(), 21u);
-    // Each is the first state at or after its time.
-    double longest = 0;
-    for (std::size_t i = 1; i < result.series.size(); ++i)
-        longest = std::max(longest, result.series[i].time - result.series[i - 1].time);
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        EXPECT_GE(times[i], static_cast<double>(i) - 1e-9);
-        EXPECT_LT(times[i], static_cast<double>(i) + longest);
-    }
     ASSERT_NE(named(result.rasters, "fluid_velocity"), nullptr);
     // Water falls 30 m: less than 2 sqrt(g H), more than a slow creep.
     double fastest = 0;
