@@ -15,9 +15,9 @@ packages=(
   libopenturns-dev
   libopenmpi-dev openmpi-bin
 )
-# Kernels' instructions and times (.ci/kernel_instructions, kernel_benchmark); layout of the source; readers of what frana writes;
+# Kernels' instructions (.ci/kernel_instructions); layout of the source; readers of what frana writes;
 # the Python module.
-test_packages=(libbenchmark-dev valgrind clang-format-14 poppler-utils
+test_packages=(valgrind clang-format-14 poppler-utils
   python3-jsonschema zsh man-db mandoc chromium
   pybind11-dev python3-dev python3-numpy python3-gdal qgis python3-qgis qgis-providers)
 

@@ -42,34 +42,6 @@ std::vector<std::string> numbers(const SeparateFlows& flows, const Raster& raste
     return rows;
 }
 
-TEST(SeparateFlows, CellsThatTouchAtACornerAreOneFlow) {
-    const Raster reached = drawn({"xx...x",  //
-                                  "..x..x",  //
-                                  "...x..",  //
-                                  "x....."});
-    const SeparateFlows flows(Raster(reached.grid), reached);
-    EXPECT_EQ(flows.count(), 3);
-    EXPECT_EQ(numbers(flows, reached), (std::vector<std::string>{"00...1",  //
-                                                                 "..0..1",  //
-                                                                 "...0..",  //
-                                                                 "2....."}));
-}
-
-TEST(SeparateFlows, TheEndOfARowDoesNotTouchTheBeginningOfTheNext) {
-    const Raster reached = drawn({"...x", "x...", "...x"});
-    EXPECT_EQ(SeparateFlows(Raster(reached.grid), reached).count(), 3);
-}
-
-TEST(SeparateFlows, ArmsThatMeetLaterAreOneFlow) {
-    const Raster reached = drawn({"x.x.x",  //
-                                  "x.x.x",  //
-                                  "xxx.x",  //
-                                  "....x",  //
-                                  "xxxxx"});
-    EXPECT_EQ(numbers(SeparateFlows(Raster(reached.grid), reached), reached),
-              (std::vector<std::string>{"0.0.1", "0.0.1", "000.1", "....1", "11111"}));
-}
-
 TEST(SeparateFlows, WhatLeapedBelongsToTheNearestFlow) {
     const Raster release = drawn({"r.........r", "...........", "..........."});
     const Raster reached = drawn({"x.........x", "...x..x....", "..........."});

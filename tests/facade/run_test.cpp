@@ -54,22 +54,6 @@ TEST(FacadeRun, GivesFramesAtTheirTimesAndThenTheResult) {
     }
 }
 
-TEST(FacadeRun, IsTheSameWithAndWithoutFramesForAnyNumberOfThreads) {
-    const std::vector<double> z = small_slope();
-    const facade::Scene scene = small_scene(z);
-    const Result whole = facade::run(scene);
-    facade::Run stepped(scene, {.threads = 3});
-    while (stepped.next()) {
-    }
-    const Result other = stepped.result();
-    ASSERT_GE(whole.rasters().size(), 5U);
-    for (const facade::RasterInfo& info : whole.rasters()) {
-        EXPECT_TRUE(same_bits(whole.raster(info.name), other.raster(info.name))) << info.name;
-        EXPECT_FALSE(info.title.empty());
-    }
-    EXPECT_EQ(whole.summary(), other.summary());
-}
-
 TEST(FacadeRun, StopsWhenAsked) {
     const std::vector<double> z = small_slope();
     std::atomic<int> steps = 0;

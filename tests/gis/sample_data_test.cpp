@@ -71,48 +71,5 @@ TEST(SampleData, ReleaseHasItsVolumeAndIsInItsPerimeter) {
     }
 }
 
-TEST(SampleData, OutlinesOfBothDatumsAreWhereTheyWereDrawn) {
-    const GridSpec grid = sample::bindo_grid();
-    const std::string utm = crs_from_user("EPSG:32632", "");
-    struct Wanted {
-        const char* file;
-        Ring ring;
-        const char* crs;
-        double rounding;
-    };
-    // Coordinates are rounded to 1e-9 degrees (0.1 mm) and to 1 mm (0.7 mm in the plane). PROJ inverts the
-    // datum shift to first order in its rotations: 1.4e-5 squared times the Earth's radius is another 1.2 mm.
-    for (const Wanted& w : {Wanted{"perimeter.shp", sample::release_rim(), "EPSG:4326", 2e-4},
-                            Wanted{"scar.shp", sample::scar_outline(), "EPSG:3003", 2e-3}}) {
-        const PolygonLayer layer = read_polygons(committed(w.file), utm, w.file);
-        EXPECT_EQ(layer.crs_label.substr(0, 9), w.crs);
-        const Ring& read = layer.features[0].shape.areas[0].outer;
-        for (const Point& local : w.ring) {
-            const Point map = grid.map_from_local(local);
-            double nearest = 1e9;
-            for (const Point& point : read) nearest = std::min(nearest, std::hypot(point.x - map.x, point.y - map.y));
-            EXPECT_LT(nearest, w.rounding) << w.file;
-        }
-    }
-}
-
-TEST(SampleData, TheHillsideIsAsSteepAsTheEvents) {
-    const Raster dtm = read_result_raster(committed("dtm.tif"));
-    EXPECT_EQ(dtm.grid.columns, 300);
-    EXPECT_EQ(dtm.grid.rows, 270);
-    EXPECT_EQ(dtm.grid.cell_size, 5);
-    double fall = 0;
-    for (std::int64_t column = 0; column < 300; ++column) fall += dtm.at(0, column) - dtm.at(190, column);
-    const double degrees = std::atan(fall / 300 / (190 * 5)) * 180 / 3.14159265358979;
-    EXPECT_NEAR(degrees, 28, 1);
-    // The river flows to the east: its bed there is lower.
-    const auto lowest = [&](std::int64_t column) {
-        double low = 1e9;
-        for (std::int64_t row = 0; row < 270; ++row) low = std::min(low, dtm.at(row, column));
-        return low;
-    };
-    EXPECT_GT(lowest(0) - lowest(299), 15);
-}
-
 }  // namespace
 }  // namespace frana::gis

@@ -92,12 +92,6 @@ TEST_P(CircularArc, SpeedIsExact) {
 
 INSTANTIATE_TEST_SUITE_P(Friction, CircularArc, testing::Values(0.0, 0.2));
 
-TEST(CircularArc, WithoutCurvatureFrictionIsTooSmallAndEnergyIsLost) {
-    const Rider rider = ride(arc(0.5), 20, 0, 0, false, 3.5);
-    const double fall = arc(0.5).bed(20) - arc(0.5).bed(rider.x);
-    EXPECT_LT(rider.speed, 0.97 * std::sqrt(2 * k_gravity * fall));
-}
-
 // A ridge Z = -x^2 / (2 R) around x = 40 m: v.K.v = -u^2 / R in map view, whatever the slope.
 Track ridge(double radius) {
     return {80, 0.5, [=](double x) { return -(x - 40) * (x - 40) / (2 * radius); },

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The state held on the grid: at rest where its surface is level, a difference on a level bed, nothing where it would
-// not be the flow's own.
+// The state held on the grid: a difference on a level bed, nothing where it would not be the flow's own.
 #include "mpm/held_state.h"
 
 #include <gtest/gtest.h>
@@ -45,23 +44,6 @@ struct Water {
         return nodes.forces()[nodes.index(i, j)];
     }
 };
-
-double hills(Point p) {
-    return 0.3 * std::sin(0.4 * p.x) * std::cos(0.3 * p.y);
-}
-
-TEST(HeldState, LevelWaterExertsNoForce) {
-    Water water(
-        hills, [](Point p) { return 10 - hills(p); }, 1);
-    water.hold();
-    for (std::int64_t j = 0; j < k_cells; ++j) {
-        for (std::int64_t i = 0; i < k_cells; ++i) {
-            EXPECT_GT(water.share(i, j), 0.9);
-            EXPECT_NEAR(water.force(i, j).fx, 0, 1e-11) << i << ", " << j;  // of g h^2 dx / 2 = 1e3
-            EXPECT_NEAR(water.force(i, j).fy, 0, 1e-11) << i << ", " << j;
-        }
-    }
-}
 
 TEST(HeldState, ForcesOnALevelBedAreThoseAtTheWalls) {
     // With level water at the walls, however rough between.

@@ -149,24 +149,6 @@ TEST(Resample, LeavesShortAndThinParticlesAlone) {
     EXPECT_EQ(particles.size(), 2u);
 }
 
-TEST(Resample, MergesCrowdedCellsAndConservesTheBudgets) {
-    ParticleSet particles(k_mask);
-    for (int i = 0; i < 30; ++i) {
-        particles.push_back(particle(20.05 + 0.03 * i, 20.1 + 0.9 * ((i * 7) % 30) / 30.0, 0.2, 0.2, 0));
-    }
-    const Totals before(particles);
-    const ResampleCounts counts = resample_once(particles, 12);
-    EXPECT_EQ(counts.merged, 18);
-    EXPECT_EQ(particles.size(), 12u);
-    const Totals after(particles);
-    EXPECT_NEAR(after.volume, before.volume, 1e-14);
-    EXPECT_NEAR(after.area, before.area, 1e-14);
-    EXPECT_NEAR(after.mx, before.mx, 1e-13);
-    EXPECT_NEAR(after.my, before.my, 1e-13);
-    EXPECT_NEAR(after.moment_x, before.moment_x, 1e-12);
-    EXPECT_NEAR(after.pore, before.pore, 1e-12);
-}
-
 // Positions, volumes and shapes of the remaining particles of a crowd the given number of cells to the east and north,
 // moved to 0; by place.
 std::vector<std::array<double, 5>> remaining_of_crowd(int east, int north) {

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <functional>
 
-#include "placed_scene.h"
-
 namespace frana::test {
 namespace {
 
@@ -20,6 +18,16 @@ Scene with_points(Scene scene, const std::function<Point(Point)>& place) {
         }
     }
     return scene;
+}
+
+// Sets the origin to a corner of cells, or as place_origin where no cell begins there: the stress of solids acts
+// through a lattice that begins at the origin. It is the same lattice in a scene that was turned or mirrored if its
+// origin is where the original's came to lie.
+void place_origin_at(Scene& scene, OriginCell corner) {
+    if (corner.column < scene.grid.columns && corner.row < scene.grid.rows)
+        put_origin(scene, corner);
+    else
+        place_origin(scene);
 }
 
 }  // namespace
@@ -37,6 +45,37 @@ Scene mirrored(const Scene& scene) {
     Scene other = with_points(scene, [&](Point p) { return Point{both - p.x, p.y}; });
     other.terrain = mirrored(scene.terrain);
     place_origin_at(other, {scene.grid.columns - scene.grid.origin_column, scene.grid.origin_row});
+    return other;
+}
+
+Raster quarter_turned(const Raster& raster) {
+    GridSpec grid = raster.grid;
+    std::swap(grid.columns, grid.rows);
+    grid.north = raster.grid.south() + grid.cell_size * static_cast<double>(grid.rows);
+    Raster other(grid);
+    for (std::int64_t row = 0; row < grid.rows; ++row)
+        for (std::int64_t column = 0; column < grid.columns; ++column)
+            other.at(row, column) = raster.at(column, raster.grid.columns - 1 - row);
+    return other;
+}
+
+Scene turned(const Scene& scene, int quarters) {
+    Scene other = scene;
+    OriginCell corner{scene.grid.origin_column, scene.grid.origin_row};
+    for (int i = 0; i < quarters; ++i) {
+        const GridSpec old = other.grid;
+        // Relative to the south-western corner, metres are exact.
+        other = with_points(std::move(other), [&](Point p) { return Point{old.north - p.y, p.x - old.west}; });
+        other.grid = GridSpec();
+        other.grid.cell_size = old.cell_size;
+        other.grid.columns = old.rows;
+        other.grid.rows = old.columns;
+        other.grid.north = old.cell_size * static_cast<double>(old.columns);
+        other.terrain = quarter_turned(other.terrain);
+        other.terrain.grid = other.grid;
+        corner = {old.rows - corner.row, corner.column};
+    }
+    place_origin_at(other, corner);
     return other;
 }
 

@@ -9,6 +9,11 @@ namespace frana::test {
 Scene mirrored(const Scene& scene);
 Raster mirrored(const Raster& raster);
 
+/// Returns the scene turned about its south-western corner by quarters, counter-clockwise, on a plain grid: cells are
+/// reordered, so that except for rounding nothing may change.
+Scene turned(const Scene& scene, int quarters);
+Raster quarter_turned(const Raster& raster);
+
 /// Returns the scene at another place: the given number of cells to the east and to the north.
 Scene moved(const Scene& scene, std::int64_t east, std::int64_t north);
 

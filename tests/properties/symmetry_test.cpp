@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Changes that must not affect a flow: the position of its map, its orientation, the extent of the map beyond it.
 #include "moved_scene.h"
-#include "placed_scene.h"
 #include "scene_tests.h"
 
 namespace frana::test {
@@ -51,9 +50,9 @@ TEST(Property, ATurnedSceneFlowsTurned) {
         // Of finite volumes and structured fluid the sweeps along x and y take turns: half a turn leaves them their
         // order.
         if (scene.numerics.scheme == Scheme::finite_volume || scene.structured)
-            return expect_same(run(scene, {}), run(placed_otherwise(scene, {0, 180}).scene, {}),
+            return expect_same(run(scene, {}), run(turned(scene, 2), {}),
                                [](const Raster& raster) { return quarter_turned(quarter_turned(raster)); });
-        expect_same(run(scene, {}), run(placed_otherwise(scene, {0, 90}).scene, {}), quarter_turned);
+        expect_same(run(scene, {}), run(turned(scene, 1), {}), quarter_turned);
     });
 }
 

@@ -69,11 +69,6 @@ void expect_like(const Image& drawn, const std::string& name) {
     EXPECT_LT(far, static_cast<int>(now.rgb.size()) / 100) << name;
 }
 
-TEST(Golden, Map) {
-    const Raster ground = test::terrain(), layer = test::tongue();
-    expect_like(draw_map(test::full_map(ground, layer, 640, 480)), "map");
-}
-
 TEST(Golden, MapWithEverything) {
     const Raster ground = test::terrain(), layer = test::tongue();
     MapSpec spec = test::crowded_map(ground, layer, 960, 720);

@@ -36,42 +36,29 @@ void expect_tidy(const std::vector<TextBox>& texts, const PageBox& page, const I
 
 class AtSize : public testing::TestWithParam<std::pair<int, int>> {};
 
-TEST_P(AtSize, MapsAreTidy) {
+TEST_P(AtSize, MapsWithEverythingAreTidy) {
     const Raster ground = test::terrain(), layer = test::tongue();
     const auto [width, height] = GetParam();
-    MapSpec spec = test::full_map(ground, layer, width, height);
+    MapSpec spec = test::crowded_map(ground, layer, width, height);
     spec.title = "Maximum flow depth of the rock slide above the village in the second scenario";
     spec.attribution = "frana 0.1.0, terrain of the regional survey of 2019, not for construction; file max_depth.tif";
     MapLayout layout;
     const Image map = draw_map(spec, &layout);
     expect_tidy(layout.texts, layout.page, map);
     EXPECT_TRUE(layout.map.inside(layout.page));
+    EXPECT_GT(layout.map.width() * layout.map.height(), 0.25 * width * height) << "the map itself must stay large";
     for (const LegendEntry& one : layout.legend) {
         EXPECT_TRUE(one.box.inside(layout.page));
         EXPECT_FALSE(one.box.overlaps(layout.map));
         for (const TextBox& text : layout.texts) EXPECT_FALSE(one.box.overlaps(text.box)) << text.text;
     }
     for (const TextBox& text : layout.texts) {
-        EXPECT_FALSE(text.box.overlaps(layout.scale_bar)) << text.text;
         // A text is inside the map or outside, never across the frame.
         EXPECT_TRUE(text.box.inside(layout.map) || !text.box.overlaps(layout.map)) << text.text;
+        EXPECT_FALSE(text.box.overlaps(layout.scale_bar)) << text.text;
     }
     EXPECT_FALSE(layout.north_arrow.overlaps(layout.scale_bar));
     EXPECT_FALSE(layout.north_arrow.overlaps(layout.map));
-}
-
-TEST_P(AtSize, MapsWithEverythingAreTidy) {
-    const Raster ground = test::terrain(), layer = test::tongue();
-    const auto [width, height] = GetParam();
-    const MapSpec spec = test::crowded_map(ground, layer, width, height);
-    MapLayout layout;
-    const Image map = draw_map(spec, &layout);
-    expect_tidy(layout.texts, layout.page, map);
-    EXPECT_GT(layout.map.width() * layout.map.height(), 0.25 * width * height) << "the map itself must stay large";
-    for (const TextBox& text : layout.texts) {
-        EXPECT_TRUE(text.box.inside(layout.map) || !text.box.overlaps(layout.map)) << text.text;
-        EXPECT_FALSE(text.box.overlaps(layout.scale_bar)) << text.text;
-    }
 }
 
 TEST_P(AtSize, ViewsAreTidy) {

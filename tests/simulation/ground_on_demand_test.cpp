@@ -48,6 +48,7 @@ Scene wide(Scene scene) {
         scene.structured->initial_fluid = pond;
     }
     scene.grid = scene.terrain.grid;
+    scene.time.frame_interval *= 3;  // frames have a million cells
     return scene;
 }
 
@@ -157,12 +158,10 @@ TEST_P(GroundOnDemand, GivesTheResultOfTheWholeGround) {
 
 INSTANTIATE_TEST_SUITE_P(
     , GroundOnDemand,
-    testing::Values(GroundCase{"hillside", hillside, 45}, GroundCase{"eventful", eventful, 200},
-                    GroundCase{"resting", resting, 300}, GroundCase{"settling", settling, 600},
-                    GroundCase{"flying", flying, 100}, GroundCase{"inflow_elsewhere", inflow_elsewhere, 45},
+    testing::Values(GroundCase{"resting", resting, 300}, GroundCase{"flying", flying, 100},
+                    GroundCase{"inflow_elsewhere", inflow_elsewhere, 45},
                     GroundCase{"earth_pressure", earth_pressure, 60}, GroundCase{"fluid", fluid, 30},
-                    GroundCase{"breaking", breaking, 10}, GroundCase{"breaking_later", breaking_later, 10},
-                    GroundCase{"loose_and_dry", loose_and_dry, 10}, GroundCase{"between_walls", between_walls, 45},
+                    GroundCase{"breaking_later", breaking_later, 10}, GroundCase{"between_walls", between_walls, 45},
                     GroundCase{"fluid_between_walls", fluid_between_walls, 45},
                     GroundCase{"into_a_pond", into_a_pond, 10}, GroundCase{"eroding_by_place", eroding_by_place, 200}),
     [](const auto& instance) { return std::string(instance.param.name); });

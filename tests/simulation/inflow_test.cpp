@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 
 #include "bench/set_up/setup.h"
 #include "core/error.h"
@@ -105,20 +104,14 @@ TEST(Inflow, GivesTheUniformFlowOfItsDischarge) {
     EXPECT_NEAR(result.series.back().front_distance, speed * 20, 0.25 * speed * 20);
 }
 
-TEST(Inflow, SeriesAndThreadsAgree) {
+TEST(Inflow, IsInTheBudgetWithWhatFailsLater) {
     Scene scene = channel_scene();
     scene.time.end = 8;
     scene.inflows = {{{{600010, 5000004}, {600010, 5000016}}, {{0, 0, 0}, {3, 90, 5}, {6, 0, 0}}, {}}};
     scene.release = {{{{{{600050, 5000004}, {600070, 5000004}, {600070, 5000016}, {600050, 5000016}}, {}}}, 1}};
     scene.release[0].start = 2.5;
-    RunOptions options;
-    const RunResult one = run(scene, options);
+    const RunResult one = run(scene, {});
     EXPECT_LT(one.thin_fraction, 0.1) << "the first drops are not the flow";
-    options.threads = 3;
-    const RunResult three = run(scene, options);
-    EXPECT_EQ(std::memcmp(one.raster("final_depth").values.data(), three.raster("final_depth").values.data(),
-                          one.raster("final_depth").values.size() * sizeof(double)),
-              0);
     EXPECT_NEAR(one.volume_entered, 0.5 * 90 * 6 + 20 * 12, 1e-12 * one.volume_entered);
     EXPECT_TRUE(one.released[0].failed);
     // Material that failed and flowed in later is part of the budget: relative to the initial volume the error would be

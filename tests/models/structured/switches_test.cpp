@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each choice of the model changes, by value, in what a step computes.
+// The virtual mass in what a step computes, by value.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -42,20 +42,6 @@ struct Sheet {
     std::unique_ptr<State> state;
     std::size_t middle = 0;
 };
-
-// Linear drag of w = 1 m/s: C w h / m_c for a short time. Worked by hand: U = 0.1076 m/s, Re = 107.6, alpha_s = 1/3, F
-// = 1.993, K = 0.05 m/s, M = 2.4, P = 1/2.
-TEST(DragLaw, ActsOnTheSolids) {
-    constexpr double coefficient = 12196.324;
-    Sheet sheet;
-    Drag& drag = sheet.c.laws.coupling.drag;
-    drag.exponent = 1;
-    drag.smoothing_velocity = 0.05;
-    sheet.start();
-    for (std::size_t n = 0; n < sheet.state->fluid->now.qx.size(); ++n) sheet.state->fluid->now.qx[n] = 2;
-    constexpr double dt = 1e-7;  // the decay takes lambda dt / 2, 2e-6, of it
-    EXPECT_NEAR(sheet.push(dt), coefficient * 1 * 3 / 2400, 2e-5 * coefficient * 3 / 2400);
-}
 
 // Fluid that all but the solids accelerate by 1 m/s2 shares it with them: f = m_v / (1 + m_v (1/m_c + 1/m_u)), m_v =
 // rho_u h_c C, C = 1.25.

@@ -2,8 +2,6 @@
 // Erosion, deposition, detrainment: rates against their closed forms, budgets of mass and momentum to rounding.
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "physics/erosion_mechanical.h"
 #include "physics/erosion_shear_stress.h"
 #include "physics/laws.h"
@@ -302,48 +300,6 @@ TEST(Detrainment, HoldsWhatCreepsAndLeavesWhatLies) {
     for (std::size_t i = 0; i < p.size(); ++i) ASSERT_GT(p[Field::volume][i], 0);
     EXPECT_LT(flow.volume(), 10);
     EXPECT_EQ(steady_slab(forest(1e4), 0, 0, 1).deposited, 0);
-}
-
-// Bed, volumes and momenta are the same bits for any number of threads, on a slope with walls, with exchange in both
-// directions.
-TEST(BedExchange, SameBitsForAnyNumberOfThreads) {
-    Entrainment e;
-    e.erosion = "shear-stress";
-    e.erodible_depth = 1;
-    e.deposition = true;
-    e.of<ShearStressDeposition>().deposition_rate = 0.01;
-    e.of<ShearStressDeposition>().deposition_shear = 1000;
-    const GridSpec grid = bench::plain_grid(100, 60, 2);
-    const Raster bed =
-        bench::sample_raster(grid, [](Point p) { return std::max(0.0, 0.5 * (120 - p.x)) + std::sin(0.2 * p.y); });
-    const ParticleSet seeds = bench::fill_lattice(
-        grid, 2, 0.5, [](Point p) { return bench::Seed{5 - 0.2 * std::hypot(p.x - 40, p.y - 60)}; });
-    Material material = dry_friction(15);
-    material.of<TurbulentFriction>().turbulence = 300;
-    const auto end_state = [&](int threads) {
-        Flow flow(bed, seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), threads,
-                  std::nullopt, {}, e);
-        flow.advance_to(12);
-        EXPECT_GT(flow.exchanged().eroded, 10);
-        EXPECT_GT(flow.exchanged().deposited, 10);
-        const double before = flow.volume() - flow.exchanged().eroded + flow.exchanged().deposited;
-        double seeded = 0;
-        for (std::size_t i = 0; i < seeds.size(); ++i) seeded += seeds[Field::volume][i];
-        EXPECT_NEAR(before, seeded, 1e-12 * seeded);
-        const auto& elevations = flow.nodes().bed;
-        std::vector<double> all(elevations.data(), elevations.data() + elevations.size());
-        const Raster depth = flow.nodal_fields().depth;
-        all.insert(all.end(), depth.values.begin(), depth.values.end());
-        all.push_back(flow.exchanged().eroded);
-        all.push_back(flow.exchanged().momentum_x);
-        return all;
-    };
-    const std::vector<double> one = end_state(1);
-    for (const int threads : {2, 5}) {
-        const std::vector<double> many = end_state(threads);
-        ASSERT_EQ(one.size(), many.size());
-        EXPECT_EQ(std::memcmp(one.data(), many.data(), one.size() * sizeof(double)), 0) << threads;
-    }
 }
 
 }  // namespace

@@ -224,15 +224,6 @@ TEST(BedLaws, ZonesGiveEachPlaceItsOwnFriction) {
     EXPECT_NEAR(slab_speed(m, 1, 1, zones, 1, 16, 0.1), slow, 1e-3 * fast);
 }
 
-TEST(BedLaws, SummedVoellmyIsUniformVoellmy) {
-    Material m = material_of({"coulomb", "turbulence"});
-    m.of<CoulombFriction>().friction_coefficient = 0.15;
-    m.of<TurbulentFriction>().turbulence = 200;
-    MaterialZones same;
-    same.turbulence = Raster(bench::plain_grid(130, 4, 1), 200);
-    EXPECT_NEAR(slab_speed(m, 3, 10, same), slab_speed(m, 3, 10), 1e-9);
-}
-
 // Gives each key that a law of a list needs and the material lacks a value within its limits, so that every law can be
 // built.
 template <class List>

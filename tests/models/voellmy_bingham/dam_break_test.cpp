@@ -122,14 +122,5 @@ TEST(DamBreak, PaperSchemeDoesNotConverge) {
     EXPECT_GT(depth_error(400, 0, Scheme::paper), depth_error(200, 0, Scheme::paper));
 }
 
-TEST(DamBreakExact, StokerMiddleStateSatisfiesBothRelations) {
-    const bench::DamBreak exact(10, 2);
-    const bench::WaterState middle = exact.at(0.5 * exact.front(1), 1);
-    const double g = 9.81;
-    EXPECT_NEAR(middle.velocity, 2 * (std::sqrt(g * 10) - std::sqrt(g * middle.depth)), 1e-12);
-    EXPECT_NEAR(middle.velocity, (middle.depth - 2) * std::sqrt(0.5 * g * (middle.depth + 2) / (middle.depth * 2)),
-                1e-9);
-}
-
 }  // namespace
 }  // namespace frana::test

@@ -99,9 +99,12 @@ TEST(LakeAtRest, MovesWithoutTheReferenceLevel) {
     EXPECT_LT(greatest_speed(flow), 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, LakeAtRestOver,
-                         testing::Combine(testing::Range(0, 4), testing::Values(0.0, 0.8), testing::Bool(),
-                                          testing::Values(SlopeCorrection::none, SlopeCorrection::normal)));
+const auto k_slopes = testing::Values(SlopeCorrection::none, SlopeCorrection::normal);
+INSTANTIATE_TEST_SUITE_P(Water, LakeAtRestOver,
+                         testing::Combine(testing::Range(0, 4), testing::Values(0.0, 0.8), testing::Values(false),
+                                          k_slopes));
+INSTANTIATE_TEST_SUITE_P(Mud, LakeAtRestOver,
+                         testing::Combine(testing::Range(0, 4), testing::Values(0.8), testing::Values(true), k_slopes));
 
 }  // namespace
 }  // namespace frana::test

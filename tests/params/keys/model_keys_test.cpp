@@ -40,11 +40,6 @@ TEST_F(ModelKeys, EachModelRefusesTheOthersKeysByName) {
     EXPECT_TRUE(has_problem(problems(k_least + "[structured]\nmanning = 0.05\n"), "structured.manning"));
 }
 
-TEST_F(ModelKeys, FluidAloneRefusesKeysOfSolids) {
-    EXPECT_TRUE(has_problem(problems(k_fluid + "cohesion = 1e4\n"), "structured.cohesion"));
-    EXPECT_TRUE(no_problem(problems(k_fluid + "manning = 0.03\nfluid-viscosity = 0.001\ndry-depth = 1e-5\n")));
-}
-
 TEST_F(ModelKeys, SolidsNeedStrengthAndNeighbours) {
     const std::vector<Problem> all = problems(k_fluid, {"structured.phases=solids-and-fluid"});
     EXPECT_TRUE(has_problem(all, "structured.cohesion"));
@@ -87,11 +82,6 @@ TEST_F(ModelKeys, SolidsReadPorePressure) {
         has_problem(problems(k_solids, {"material.pore-pressure-ratio=0.4", "material.hydraulic-diffusivity=1e-3",
                                         "material.pore-dissipation-time=5"}),
                     "material.pore-dissipation-time"));
-}
-
-TEST_F(ModelKeys, FormsNotAvailableForFluid) {
-    EXPECT_TRUE(has_problem(problems(k_fluid, {"numerics.slope-correction=surface"}), "numerics.slope-correction",
-                            "surface", "auto, none, normal"));
 }
 
 TEST_F(ModelKeys, TheEchoContainsOnlyWhatTheModelReads) {

@@ -135,13 +135,7 @@ const std::string k_scene = "[terrain]\ndtm = dtm.tif\n[release]\nperimeter = ar
 
 TEST_F(OwnFrictionTable, KeysThatUseIt) {
     EXPECT_TRUE(problems(k_table + "return-period = 30\n").empty());
-    EXPECT_TRUE(has_problem(problems(k_scene + "friction-table = rams\n"), "material.friction-table", "rams",
-                            "ngi-avalanche, or a file FILE.ini"));
-    EXPECT_TRUE(has_problem(problems(k_scene + "friction-table = ramms-avalanche\n"), "material.friction-table",
-                            "ramms-avalanche"));
     EXPECT_TRUE(has_problem(problems(k_table), "material.return-period", "", "10, 30, 100, 300 years"));
-    EXPECT_TRUE(has_problem(problems(k_table + "return-period = 150\n"), "material.return-period", "150",
-                            "10, 30, 100, 300 years"));
     EXPECT_TRUE(has_problem(problems(k_table + "return-period = 30\naltitude-limits = 1000\n"),
                             "material.altitude-limits", "1 limits", "2, between 3 bands"));
     EXPECT_TRUE(has_problem(problems(k_table + "return-period = 30\nforest = wood.shp\n"), "material.forest"));

@@ -49,15 +49,6 @@ TEST_F(ReadScene, AKeyThatMayBeMissingSaysWhatThenIs) {
     EXPECT_EQ(all.front().remedy, "Without the key: the best agreement sets the scale");
 }
 
-TEST_F(ReadScene, FrictionIsRequired) {
-    EXPECT_TRUE(has_problem(problems("[terrain]\ndtm = a\n[release]\nperimeter = b\nthickness = 1\n"),
-                            "material.friction-angle"));
-}
-
-TEST_F(ReadScene, FrictionGivenTwiceIsAContradiction) {
-    EXPECT_TRUE(has_problem(problems(k_least + "friction-coefficient = 0.3\n"), "material.friction-angle"));
-}
-
 TEST_F(ReadScene, LaterSourcesOverrideEarlierOnes) {
     const SceneReading from_preset = read(
         "[terrain]\ndtm = a\n[release]\nperimeter = b\nthickness = 1\n[material]\npreset = bindo\ndensity = "
@@ -119,12 +110,6 @@ TEST_F(ReadScene, RepeatedKeysEmptyValuesAndStrayWords) {
     EXPECT_TRUE(has_problem(before_sections, "scene.ini: dtm"));
     EXPECT_EQ(before_sections.front().remedy, "Did you mean terrain.dtm?");
     EXPECT_TRUE(has_problem(problems(k_least, {"time.end"}), "--set time.end"));
-}
-
-TEST_F(ReadScene, DecimalCommaIsExplained) {
-    const std::vector<Problem> of_comma = problems(k_least + "density = 1800,5\n");
-    EXPECT_TRUE(has_problem(of_comma, "material.density", "1800,5"));
-    EXPECT_NE(of_comma.front().remedy.find("comma"), std::string::npos);
 }
 
 TEST_F(ReadScene, ByteOrderMarkAndWindowsLineEndsAreFine) {

@@ -98,24 +98,6 @@ TEST(SharedSchemes, PutValuesIntoTheirClasses) {
         EXPECT_EQ(class_of(slope, {h}), kind) << h;
 }
 
-TEST(SharedSchemes, LegendsOfTheFirstSchemesAreThoseOfEarlierVersions) {
-    const auto labels = [](const std::string& name) {
-        std::vector<std::string> all;
-        for (const HazardClass& kind : scheme(name).classes) all.push_back(kind.label());
-        return all;
-    };
-    using Labels = std::vector<std::string>;
-    EXPECT_EQ(labels("swiss-debris-flow"), (Labels{"Medium intensity: depth ≤ 1 m or speed ≤ 1 m/s",
-                                                   "High intensity: depth > 1 m and speed > 1 m/s"}));
-    EXPECT_EQ(labels("swiss-flood"), (Labels{"Low intensity: depth ≤ 0.5 m and depth × speed ≤ 0.5 m²/s",
-                                             "Medium intensity: depth > 0.5 m or depth × speed > 0.5 m²/s",
-                                             "High intensity: depth > 2 m or depth × speed > 2 m²/s"}));
-    EXPECT_EQ(labels("austrian-torrent"), (Labels{"Yellow zone: energy head < 1.5 m and deposit < 0.7 m",
-                                                  "Red zone: energy head ≥ 1.5 m or deposit ≥ 0.7 m"}));
-    EXPECT_EQ(scheme("austrian-torrent").heading, "Zones");
-    EXPECT_EQ(scheme("swiss-flood").heading, k_intensity_title);
-}
-
 TEST(SharedSchemes, OnlyThoseWithAMatrixTellIntensities) {
     for (const std::string& name : k_names) EXPECT_EQ(has_intensities(scheme(name)), name.starts_with("swiss")) << name;
     // Of those with a matrix for all processes and one of their own, one must be named.

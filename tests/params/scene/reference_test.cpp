@@ -11,7 +11,6 @@
 #include <set>
 
 #include "core/json.h"
-#include "params/keys/materials.h"
 #include "params/keys/scene_parameters.h"
 #include "params/keys/used_keys.h"
 #include "physics/laws.h"
@@ -138,22 +137,6 @@ TEST_F(ReferenceFile, TheIniFormIsAValidSceneFileOfDefaults) {
     const SceneReading reading = read(reference_ini());
     for (const Problem& problem : reading.problems.list())
         EXPECT_TRUE(problem.what == "is missing" || problem.what == "no bed friction is given") << describe(problem);
-}
-
-TEST_F(ReferenceFile, EveryPresetMakesASceneAndNamesItsSource) {
-    const auto presets = material_presets(FRANA_SOURCE_SHARE "/materials");
-    ASSERT_GE(presets.size(), 5U);
-    for (const MaterialPreset& preset : presets) {
-        const SceneReading reading =
-            read("[terrain]\ndtm = a\n[release]\nperimeter = b\nthickness = 1\n[material]\npreset = " + preset.name +
-                 (preset.name == "earthflow" ? "\nviscosity = 20000\n" : "\n"));
-        for (const Problem& problem : reading.problems.list())
-            ADD_FAILURE() << preset.name << ": " << describe(problem);
-        std::string comments;
-        for (const std::string& line : preset.comments) comments += line + '\n';
-        EXPECT_NE(comments.find("Source:"), std::string::npos) << preset.name;
-        EXPECT_NE(comments.find("Range:"), std::string::npos) << preset.name;
-    }
 }
 
 }  // namespace

@@ -18,20 +18,6 @@ Raster part(double fraction) {
     return raster;
 }
 
-TEST(MapAnimator, AFrameOfTheBaseIsTheMapItself) {
-    const Raster ground = test::terrain(), layer = test::tongue();
-    MapSpec spec = test::full_map(ground, layer, 800, 600);
-    MapAnimator animator(spec);
-    const Image frame = animator.frame(layer, spec.subtitle);
-    MapLayout layout;
-    const Image map = draw_map(spec, &layout);
-    ASSERT_EQ(frame.rgb.size(), map.rgb.size());
-    std::size_t different = 0;
-    for (std::size_t i = 0; i < map.rgb.size(); ++i) different += std::abs(frame.rgb[i] - map.rgb[i]) > 2 ? 1 : 0;
-    // The subtitle is drawn separately in a frame and with everything else in a map: only rounding of soft edges.
-    EXPECT_LT(different, map.rgb.size() / 500);
-}
-
 // Classes that reach the greatest value over time are the same on a map and in a film: no open class is added.
 TEST(MapAnimator, AFrameOfTheBaseInGivenClassesIsTheMapItself) {
     const Raster ground = test::terrain(), layer = test::tongue();

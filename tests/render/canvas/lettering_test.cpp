@@ -91,20 +91,6 @@ TEST(Lettering, CapitalsAlignWhateverElseIsInTheLine) {
               lettering.place("ÁH", {50, 50}, style, Across::left, Upright::baseline).box.bottom);
 }
 
-TEST(Lettering, GreekDegreesAndSuperscriptsHaveDistinctInk) {
-    const Lettering lettering;
-    const TextStyle style{24, {0, 0, 0}};
-    for (const char* glyph : {"ξ", "µ", "φ", "²", "³", "°", "–", "≥", "ä", "ñ"}) {
-        EXPECT_GT(lettering.width(glyph, style), 2) << glyph;
-    }
-}
-
-TEST(Lettering, DollarsAreNotMathematics) {
-    const Lettering lettering;
-    const TextStyle style{20, {0, 0, 0}};
-    EXPECT_GT(lettering.width("$x_1$", style), lettering.width("x_1", style) + 10);
-}
-
 TEST(Lettering, BrokenUtf8AndLineEndsDoNoHarm) {
     const Image page = written(200, 50, "a\xff\xc3(\n\xf0\x9f", {10, 25}, {20}, Across::left, Upright::middle);
     EXPECT_GT(ink(page).width(), 20);
@@ -151,12 +137,6 @@ TEST(Lettering, ChineseIsDrawn) {
     if (!take_letters_without_font().empty()) GTEST_SKIP() << "no font has Chinese letters (Debian: fonts-noto-cjk)";
     EXPECT_NEAR(ink(page).width(), 80, 10);  // as wide as high
     EXPECT_NE(page.rgb, drawn("\u5761\u6ed1").rgb);
-}
-
-TEST(Lettering, NothingFromNothing) {
-    const Lettering lettering;
-    EXPECT_EQ(lettering.width("", {20}), 0);
-    EXPECT_EQ(lettering.width("   ", {20}), 0);
 }
 
 }  // namespace

@@ -10,15 +10,6 @@
 namespace frana::render {
 namespace {
 
-TEST(Decades, AreWholePowersAroundTheValues) {
-    const Decades d = decades_of({0.02, 3, 40});
-    EXPECT_EQ(d.low, -2);
-    EXPECT_EQ(d.high, 2);
-    const Decades exact = decades_of({1, 100});
-    EXPECT_EQ(exact.low, 0);
-    EXPECT_EQ(exact.high, 2);
-}
-
 TEST(Decades, AreNeverEmpty) {
     EXPECT_EQ(decades_of({10}).high - decades_of({10}).low, 1);
     EXPECT_EQ(decades_of({}).high - decades_of({}).low, 1);

@@ -50,29 +50,6 @@ TEST(LineChart, PointsAreWhereTheAxesPutThem) {
     EXPECT_EQ(layout.points[1].size(), 101U - 19U);  // gaps are not drawn
 }
 
-TEST(LineChart, TextsAreTidyAtAllSizes) {
-    for (const auto& [width, height] : {std::pair{800, 600}, {1600, 1200}, {1280, 960}, {1240, 1754}, {3508, 2480}}) {
-        ChartLayout layout;
-        draw_chart(chart(), width, height, &layout);
-        const PageBox page{0, 0, static_cast<double>(width), static_cast<double>(height)};
-        for (std::size_t i = 0; i < layout.texts.size(); ++i) {
-            EXPECT_TRUE(layout.texts[i].box.inside(page)) << layout.texts[i].text;
-            for (std::size_t j = 0; j < i; ++j) {
-                EXPECT_FALSE(layout.texts[i].box.overlaps(layout.texts[j].box))
-                    << width << ": " << layout.texts[i].text << " / " << layout.texts[j].text;
-            }
-            for (const PageBox& panel : layout.panels) EXPECT_FALSE(layout.texts[i].box.overlaps(panel));
-        }
-    }
-}
-
-TEST(LineChart, ACurveIsDrawnInItsColour) {
-    ChartLayout layout;
-    const Image page = draw_chart(chart(), 1600, 1200, &layout);
-    const Point at = layout.points[0][37];
-    EXPECT_TRUE(test::near(page.colour(static_cast<int>(at.x), static_cast<int>(at.y)), {90, 70, 50}, 40));
-}
-
 // Without its colour: stroke and marker.
 TEST(LineChart, CurvesLookApartInGrey) {
     std::set<std::pair<Stroke, int>> looks;

@@ -73,13 +73,6 @@ TEST(ColourScale, ClassesWithoutValuesBeyondStayClosed) {
               (std::vector<std::string>{"0.1 – 0.5", "0.5 – 2"}));
 }
 
-TEST(ColourScale, ColoursSpanThePaletteAndDiffer) {
-    const Raster layer = values({0, 8});
-    const ColourScale scale({"velocity", {}, {}, &layer});
-    EXPECT_EQ(scale.classes().front().colour, test::in_legend(colour_at(palette("velocity"), 0)));
-    EXPECT_EQ(scale.classes().back().colour, test::in_legend(colour_at(palette("velocity"), 1)));
-}
-
 TEST(ColourScale, SkewedValuesGetWideningClasses) {
     std::vector<double> list(100, 0.3);
     list.push_back(17);

@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-#include "render/map/map2d.h"
-#include "scenes.h"
+#include "core/raster.h"
 
 namespace frana::render {
 namespace {
@@ -29,31 +28,6 @@ TEST(Graticule, RoundPlacesSolveTheCoordinate) {
     const auto falling = [](double t) { return 5 - 3 * t; };
     EXPECT_EQ(round_places(falling, 1).size(), 4U);
     EXPECT_TRUE(round_places([](double) { return k_no_data; }, 1).empty());
-}
-
-TEST(Graticule, TicksAreWhereTheProjectionPutsThem) {
-    const Raster ground = test::terrain(), layer = test::tongue();
-    MapSpec spec = test::crowded_map(ground, layer, 1600, 1200);
-    MapLayout layout;
-    draw_map(spec, &layout);
-    int checked = 0;
-    for (const TextBox& text : layout.texts) {
-        int degrees = 0, minutes = 0, seconds = 0;
-        char side = 0;
-        if (std::sscanf(text.text.c_str(), "%d°%d′%d″ %c", &degrees, &minutes, &seconds, &side) != 4) continue;
-        const double value = degrees + minutes / 60.0 + seconds / 3600.0;
-        // The middle of the label's ink; at most a pixel off, since letters are not symmetric.
-        const Point centre{(text.box.left + text.box.right) / 2, (text.box.top + text.box.bottom) / 2};
-        if (side == 'E') {
-            const double east = layout.window.west + (centre.x - layout.map.left) * layout.metres_per_pixel;
-            EXPECT_NEAR(test::degrees_at({east, layout.window.north}).x, value, 1.5 * layout.metres_per_pixel / 80e3);
-        } else {
-            const double north = layout.window.north - (centre.y - layout.map.top) * layout.metres_per_pixel;
-            EXPECT_NEAR(test::degrees_at({layout.window.east, north}).y, value, 1.5 * layout.metres_per_pixel / 110e3);
-        }
-        ++checked;
-    }
-    EXPECT_GE(checked, 4);
 }
 
 }  // namespace

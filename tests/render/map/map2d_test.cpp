@@ -188,16 +188,6 @@ TEST(Map, ScaleBarIsAsLongAsItsLabel) {
     }
 }
 
-TEST(Map, PixelsAreSquareAndTheWindowFillsTheFrame) {
-    const Raster ground = test::terrain(), layer = test::tongue();
-    MapLayout layout;
-    const Image map = draw_map(test::full_map(ground, layer, 1100, 700), &layout);
-    EXPECT_EQ(map.width, 1100);
-    EXPECT_EQ(map.height, 700);
-    EXPECT_NEAR(layout.window.width() / layout.map.width(), layout.metres_per_pixel, 1e-9);
-    EXPECT_NEAR(layout.window.height() / layout.map.height(), layout.metres_per_pixel, 1e-9);
-}
-
 TEST(Map, AnOutlineIsWhereItsCoordinatesAre) {
     const Raster ground = test::terrain(), layer = test::tongue();
     MapSpec spec = test::full_map(ground, layer, 1200, 900);
@@ -233,33 +223,6 @@ TEST(Map, NorthArrowTurnsWithTheConvergence) {
     }
 }
 
-TEST(Map, CoordinateLabelsAreAtTheirCoordinates) {
-    const Raster ground = test::terrain(), layer = test::tongue();
-    MapLayout layout;
-    draw_map(test::full_map(ground, layer, 1600, 1200), &layout);
-    int eastings = 0, northings = 0;
-    for (const TextBox& text : layout.texts) {
-        const std::string& words = text.text;
-        if (words.size() < 5 || words[words.size() - 2] != ' ' || !std::isdigit(static_cast<unsigned char>(words[0])))
-            continue;
-        std::string digits;
-        std::copy_if(words.begin(), words.end(), std::back_inserter(digits),
-                     [](unsigned char c) { return std::isdigit(c) != 0; });
-        const double value = std::stod(digits);
-        if (words.back() == 'E') {
-            const double x = layout.map.left + (value - layout.window.west) / layout.metres_per_pixel;
-            EXPECT_NEAR((text.box.left + text.box.right) / 2, x, 1.5);  // two roundings to whole pixels
-            ++eastings;
-        } else if (words.back() == 'N') {
-            const double y = layout.map.top + (layout.window.north - value) / layout.metres_per_pixel;
-            EXPECT_NEAR((text.box.top + text.box.bottom) / 2, y, 1.5);
-            ++northings;
-        }
-    }
-    EXPECT_GE(eastings, 2);
-    EXPECT_GE(northings, 2);
-}
-
 TEST(Map, AnEmptyLayerHasANote) {
     const Raster ground = test::terrain();
     const Raster empty(ground.grid, k_no_data);
@@ -269,24 +232,6 @@ TEST(Map, AnEmptyLayerHasANote) {
     EXPECT_TRUE(layout.legend.empty());
     EXPECT_TRUE(std::any_of(layout.texts.begin(), layout.texts.end(),
                             [](const TextBox& text) { return text.text.find("no values") != std::string::npos; }));
-}
-
-TEST(Map, CategoriesAreDrawnInTheirOwnColours) {
-    const Raster ground = test::terrain();
-    Raster classes = test::tongue();
-    for (double& value : classes.values) {
-        if (!std::isnan(value)) value = value > 5 ? 1 : 3;
-    }
-    MapSpec spec = test::full_map(ground, classes, 900, 700);
-    spec.outlines.clear();
-    spec.contours = false;
-    spec.categories = {{1, "hit", {40, 120, 60}}, {2, "false alarm", {230, 160, 20}}, {3, "miss", {160, 30, 120}}};
-    MapLayout layout;
-    const Image map = draw_map(spec, &layout);
-    ASSERT_EQ(layout.legend.size(), 3U);
-    EXPECT_EQ(layout.legend[0].label, "hit");
-    const auto [x, y] = pixel(layout, {527597, 5094482});
-    EXPECT_TRUE(test::shows(map.colour(x, y), test::in_legend({40, 120, 60})));
 }
 
 TEST(Map, WithoutLayerOrWithoutTerrain) {

@@ -239,7 +239,7 @@ TEST(TurnedMap, CoordinatesBesideTheFrameAreThoseOfItsSides) {
     const Raster ground = test::terrain(), layer = patches();
     MapSpec spec = map_of_patches(ground, layer);
     spec.longitude_latitude = test::degrees_at;
-    for (const double deg : {20.0, 90.0, -110.0}) {
+    for (const double deg : {0.0, 20.0, 90.0, -110.0}) {
         spec.turn = MapTurn(deg);
         MapLayout layout;
         (void)draw_map(spec, &layout);
@@ -259,7 +259,9 @@ TEST(TurnedMap, CoordinatesBesideTheFrameAreThoseOfItsSides) {
                 const Point at = test::degrees_at(is_above ? ground_at(centre.x, layout.map.top)
                                                            : ground_at(layout.map.right, centre.y));
                 // A pixel and a half, as on a map that is not turned, at most 1.5 times as far along the side.
-                EXPECT_NEAR(side == 'E' ? at.x : at.y, value, 2.2 * metre / 80e3) << text.text << " at " << deg;
+                EXPECT_NEAR(side == 'E' ? at.x : at.y, value,
+                            (deg == 0 ? 1.5 : 2.2) * metre / (deg == 0 && side == 'N' ? 110e3 : 80e3))
+                    << text.text << " at " << deg;
                 above += is_above;
                 continue;
             }
@@ -271,8 +273,9 @@ TEST(TurnedMap, CoordinatesBesideTheFrameAreThoseOfItsSides) {
             if (value == 0 || (side != 'E' && side != 'N')) continue;
             const bool is_below = centre.y > layout.map.bottom;
             const Point at = is_below ? ground_at(centre.x, layout.map.bottom) : ground_at(layout.map.left, centre.y);
-            EXPECT_NEAR(side == 'E' ? at.x : at.y, value, 2.2 * metre) << text.text << " at " << deg;
-            EXPECT_EQ(side == 'E', (deg == 20) == is_below) << text.text << " at " << deg;
+            // Two roundings to whole pixels.
+            EXPECT_NEAR(side == 'E' ? at.x : at.y, value, (deg == 0 ? 1.5 : 2.2) * metre) << text.text << " at " << deg;
+            EXPECT_EQ(side == 'E', (deg <= 20 && deg >= 0) == is_below) << text.text << " at " << deg;
             (is_below ? below : beside) += 1;
         }
         EXPECT_GE(below, 2) << deg;

@@ -54,33 +54,6 @@ TEST(Drag, CoefficientsOfTheStillCell) {
     EXPECT_NEAR(drag.loose(m, 0.1, 100, 0.5, 10), 8.5576, 1e-4);
 }
 
-TEST(Drag, DecaysExactly) {
-    // lambda = h C (1 / m_c + 1 / m_u) of the still cell, h = 1 m: from the worked coefficients, and from the law as
-    // the exchange of a cell uses it.
-    Drag worked;
-    for (const auto& [exponent, lambda] : {std::pair{1, 1 / 2.059}, {2, 0.024247}}) {
-        worked.exponent = exponent;
-        EXPECT_NEAR(worked.loose(still_cell(), 0.1, 100, 0.5, 10) * (1 / 1200.0 + 1 / 500.0), lambda, 5e-4 * lambda);
-    }
-    CellPhases cell;
-    cell.solids = cell.free = 0.5;
-    cell.coupled_mass = 1200;
-    cell.coupled_velocity = {1, 0};
-    cell.free_velocity = {4, 0};
-    CouplingLaws laws;
-    laws.virtual_mass.acts = false;
-    laws.drag.smoothing_velocity = 10;
-    for (const int exponent : {1, 2}) {
-        laws.drag.exponent = exponent;
-        const double lambda = laws.drag(still_cell()) * (1 / 1200.0 + 1 / 500.0);
-        for (const double dt : {1e-3, 1.0, 1e6}) {
-            const Eigen::Vector2d impulse = exchange(laws, cell, dt);
-            const double left = 3 - impulse.x() * (1 / 1200.0 + 1 / 500.0);
-            EXPECT_NEAR(left, exponent == 1 ? 3 * std::exp(-lambda * dt) : 3 / (1 + lambda * 3 * dt), 1e-12);
-        }
-    }
-}
-
 TEST(Drag, NothingWithoutEitherPhase) {
     Drag drag;
     Mixture m = still_cell();

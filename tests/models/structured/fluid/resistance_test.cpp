@@ -41,16 +41,6 @@ TEST(FluidResistance, SteepUniformFlowHasManningsVelocityAlongTheBed) {
     EXPECT_NEAR(basin.u(150, 1), exact, 1e-3 * exact);
 }
 
-// Without friction what slides gains g sin along the bed: g sin cos in map view.
-TEST(FluidResistance, SteepGroundPullsAlongTheBed) {
-    FluidLaws laws = still_laws();
-    laws.steep = true;
-    const double angle = 40 * M_PI / 180;
-    Basin basin = plane(std::tan(angle), 0.5, laws);
-    basin.advance(2);
-    EXPECT_NEAR(basin.u(150, 1), 2 * 9.81 * std::sin(angle) * std::cos(angle), 1e-9);
-}
-
 TEST(FluidResistance, StopsAndNeverReverses) {
     FluidLaws laws = still_laws();
     laws.manning = 0.1;

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 
 #include "simulation/simulation.h"
 
@@ -59,24 +58,11 @@ const Raster* named(const std::vector<NamedRaster>& rasters, const std::string& 
 }
 
 TEST(StructuredRun, FluidGivesMaximaArrivalSeriesAndBudget) {
-    std::vector<double> times;
     RunOptions options;
-    options.on_frame = [&](const Frame& frame) {
-        times.push_back(frame.time);
-        EXPECT_TRUE(frame.more.empty());
-    };
+    options.on_frame = [&](const Frame& frame) { EXPECT_TRUE(frame.more.empty()); };
     const RunResult result = run(slope(false), options);
     budget_closes(result);
     EXPECT_EQ(result.particles_peak, 0);
-    ASSERT_EQ(times.size(), 21u);
-    // Each is the first state at or after its time.
-    double longest = 0;
-    for (std::size_t i = 1; i < result.series.size(); ++i)
-        longest = std::max(longest, result.series[i].time - result.series[i - 1].time);
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        EXPECT_GE(times[i], static_cast<double>(i) - 1e-9);
-        EXPECT_LT(times[i], static_cast<double>(i) + longest);
-    }
     ASSERT_NE(named(result.rasters, "fluid_velocity"), nullptr);
     // Water falls 30 m: less than 2 sqrt(g H), more than a slow creep.
     double fastest = 0;
@@ -107,30 +93,6 @@ TEST(StructuredRun, SolidsAndFluidShowTheirPhasesAndLoseNothing) {
         ASSERT_NE(raster, nullptr) << fraction;
         for (const double value : raster->values) EXPECT_TRUE(std::isnan(value) || (value >= 0 && value <= 1 + 1e-12));
     }
-}
-
-TEST(StructuredRun, SameBitsForAnyNumberOfThreads) {
-    for (const bool solids : {false, true}) {
-        Scene scene = slope(solids);
-        scene.time.end = solids ? 0.5 : 5;
-        RunOptions options;
-        const RunResult one = run(scene, options);
-        options.threads = 3;
-        const RunResult three = run(scene, options);
-        EXPECT_EQ(one.steps, three.steps);
-        for (const char* raster : {"max_depth", "max_velocity", "final_depth"}) {
-            const auto &a = one.raster(raster).values, &b = three.raster(raster).values;
-            EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(double)), 0) << solids;
-        }
-    }
-}
-
-TEST(StructuredRun, StopsWhereTheTerrainEnds) {
-    Scene scene = slope(false);
-    for (std::int64_t r = 0; r < 60; ++r) scene.terrain.at(r, 80) = k_no_data;
-    const RunResult result = run(scene, {});
-    EXPECT_EQ(result.stop_reason, StopReason::reached_no_data);
-    EXPECT_GT(result.hard_events.entered_no_data, 0);
 }
 
 TEST(StructuredRun, ALakeIsStillAtOnce) {
