@@ -104,7 +104,7 @@ TEST(PorePressureOfAFlow, IsCarriedSplitAndMergedByVolume) {
 
 // Halves of a slab that share no node of the strips compared: each has its own friction.
 TEST(PorePressureOfAFlow, LowersFrictionWhereItIs) {
-    constexpr double k_along = 3, k_normal = 9;
+    constexpr double pull = 3, weight = 9;
     const GridSpec grid = bench::plain_grid(121, 16, 1);
     const ParticleSet plain =
         bench::fill_lattice(grid, 2, 0, [](Point p) { return bench::Seed{p.x > 10 && p.x < 70 ? 1.0 : 0}; });
@@ -117,7 +117,7 @@ TEST(PorePressureOfAFlow, LowersFrictionWhereItIs) {
     Material m = debris(0.5);
     m.of<CoulombFriction>().friction_coefficient = 0.2;
     Flow flow(Raster(grid), seeds, m, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), 1,
-              TiltedGravity{k_along, 0, k_normal});
+              TiltedGravity{pull, 0, weight});
     flow.advance_to(1);
     double speed[2] = {0, 0};
     int count[2] = {0, 0};
@@ -128,8 +128,8 @@ TEST(PorePressureOfAFlow, LowersFrictionWhereItIs) {
         speed[y > 8] += p[Field::u][i];
         ++count[y > 8];
     }
-    EXPECT_NEAR(speed[0] / count[0], k_along - 0.2 * k_normal, 1e-3 * k_along);
-    EXPECT_NEAR(speed[1] / count[1], k_along - 0.2 * 0.2 * k_normal, 1e-3 * k_along);
+    EXPECT_NEAR(speed[0] / count[0], pull - 0.2 * weight, 1e-3 * pull);
+    EXPECT_NEAR(speed[1] / count[1], pull - 0.2 * 0.2 * weight, 1e-3 * pull);
 }
 
 // What is eroded brings the pore pressure of the bed: the sum of V r grows by it alone.

@@ -17,7 +17,7 @@
 namespace frana::test {
 namespace {
 
-constexpr double k_along = 3, k_normal = 9, k_viscosity = 0.1;  // [m2/s]
+constexpr double k_pull = 3, k_weight = 9, k_viscosity = 0.1;  // [m2/s]
 
 struct Film {
     double front = 0;  // where the depth is half of the exact one at the front, between cells [m]
@@ -25,14 +25,14 @@ struct Film {
 };
 
 double exact_front(double area, double time) {
-    return std::cbrt(9 * area * area * k_along / (4 * k_viscosity) * time);
+    return std::cbrt(9 * area * area * k_pull / (4 * k_viscosity) * time);
 }
 
 Film film_at(bench::TimedFlow& flow, double time, double start, double area) {
     flow.advance_to(time);
     const Raster depth = flow.fields().depth;
     const double front = exact_front(area, time), cell = depth.grid.cell_size;
-    const auto exact = [&](double x) { return std::sqrt(k_viscosity * x / (k_along * time)); };
+    const auto exact = [&](double x) { return std::sqrt(k_viscosity * x / (k_pull * time)); };
     const auto at = [&](std::int64_t column) { return depth.at(1, column); };
     std::int64_t column = depth.grid.columns - 1;
     while (column > 0 && at(column) < 0.5 * exact(front)) --column;
@@ -54,7 +54,7 @@ TEST_P(ViscousFront, FollowsThePowerLawAndItsPrefactor) {
     material.of<BinghamStress>().viscosity = k_viscosity * material.density;
     bench::Setup setup{Raster(bench::plain_grid(130, 4, 0.5), 0.0), ParticleSet(), material,
                        bench::numerics_of(GetParam(), SlopeCorrection::normal, Boundary::wall),
-                       TiltedGravity{k_along, 0, k_normal}};
+                       TiltedGravity{k_pull, 0, k_weight}};
     setup.seeds = bench::fill_lattice(
         setup.bed.grid, 2, 0, [](Point p) { return bench::Seed{p.x > k_start && p.x < k_start + k_area ? 1.0 : 0.0}; });
     bench::TimedFlow flow(setup);

@@ -149,12 +149,13 @@ class SchemeFile : public SceneFixture {
     }
 };
 
-const std::string k_head = "[scheme]\ntitle = Ours\nsource = Office\n",
+const std::string k_scheme_head = "[scheme]\ntitle = Ours\nsource = Office\n",
                   k_low = "[class-1]\nname = Low\ncolour = ffdd33\n",
                   k_high = "[class-2]\nname = High\ncolour = d7191c\ncondition = ";
 
 TEST_F(SchemeFile, ASmallOneIsEnough) {
-    EXPECT_TRUE(refused(k_head + k_low + k_high + "pressure > 5 kPa or depth > 1 m and velocity >= 2 m/s\n").empty());
+    EXPECT_TRUE(
+        refused(k_scheme_head + k_low + k_high + "pressure > 5 kPa or depth > 1 m and velocity >= 2 m/s\n").empty());
 }
 
 TEST_F(SchemeFile, EveryMistakeIsToldAtOnceWithItsKey) {
@@ -177,21 +178,22 @@ TEST_F(SchemeFile, ConditionsAreRefused) {
     for (const char* condition :
          {"depth > -1 m", "depth > 0 m", "depth < 1 m", "depth > 1", "depth > 0,5 m", "height > 1 m", "depth > 1 m2/s",
           "depth > 1 m and", "depth > 1 m, velocity > 1 m/s", "depth > nan m", "depth>1 m"})
-        EXPECT_TRUE(has(refused(k_head + k_low + k_high + condition + "\n"), "class-2.condition", "is not a limit"))
+        EXPECT_TRUE(
+            has(refused(k_scheme_head + k_low + k_high + condition + "\n"), "class-2.condition", "is not a limit"))
             << condition;
-    EXPECT_TRUE(
-        has(refused(k_head + k_low + "[class-2]\nname = High\ncolour = d7191c\n"), "class-2.condition", "is missing"));
-    EXPECT_TRUE(has(refused(k_head + k_low), "class-1.condition", "is missing"));
-    EXPECT_TRUE(has(refused(k_head), "class-1", "has no classes"));
+    EXPECT_TRUE(has(refused(k_scheme_head + k_low + "[class-2]\nname = High\ncolour = d7191c\n"), "class-2.condition",
+                    "is missing"));
+    EXPECT_TRUE(has(refused(k_scheme_head + k_low), "class-1.condition", "is missing"));
+    EXPECT_TRUE(has(refused(k_scheme_head), "class-1", "has no classes"));
     // What is in the upper class must be in the one below.
-    EXPECT_TRUE(has(refused(k_head + k_low + "condition = depth > 1 m\n" + k_high + "depth > 0.5 m\n"),
+    EXPECT_TRUE(has(refused(k_scheme_head + k_low + "condition = depth > 1 m\n" + k_high + "depth > 0.5 m\n"),
                     "class-2.condition", "the class below does not"));
-    EXPECT_TRUE(has(refused(k_head + k_low + k_high + "depth > 1 m\ncondition = depth > 2 m\n"), "class-2.condition",
-                    "more than once"));
+    EXPECT_TRUE(has(refused(k_scheme_head + k_low + k_high + "depth > 1 m\ncondition = depth > 2 m\n"),
+                    "class-2.condition", "more than once"));
 }
 
 TEST_F(SchemeFile, AMatrixIsWhole) {
-    const std::string three = k_head + k_low + k_high +
+    const std::string three = k_scheme_head + k_low + k_high +
                               "depth > 1 m\n[class-3]\nname = X\ncolour = 000000\ncondition = "
                               "depth > 2 m\n[degree]\n";
     const std::string rows = "strong = red, red, red\nmedium = red, blue, blue\nweak = blue, blue, yellow\n";
@@ -201,12 +203,13 @@ TEST_F(SchemeFile, AMatrixIsWhole) {
                     "are not three degrees"));
     EXPECT_TRUE(
         has(refused(three + "return-periods = 30, 100, 300\nstrong = red, red, red\n"), "degree.weak", "is missing"));
-    EXPECT_TRUE(has(refused(k_head + k_low + k_high + "depth > 1 m\n[degree]\nreturn-periods = 30, 100, 300\n" + rows),
-                    "degree.return-periods", "up to 3"));
+    EXPECT_TRUE(
+        has(refused(k_scheme_head + k_low + k_high + "depth > 1 m\n[degree]\nreturn-periods = 30, 100, 300\n" + rows),
+            "degree.return-periods", "up to 3"));
 }
 
 TEST_F(SchemeFile, ASceneTakesItRelativeToItsFolder) {
-    write(k_head + k_low + k_high + "head > 1 m\n", "own.ini");
+    write(k_scheme_head + k_low + k_high + "head > 1 m\n", "own.ini");
     const SceneReading reading = read(k_least + "[hazard]\nscheme = own.ini\n");
     ASSERT_TRUE(reading.problems.empty());
     EXPECT_EQ(*reading.scene.hazard.scheme, (folder_ / "own.ini").string());
