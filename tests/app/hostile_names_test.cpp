@@ -137,7 +137,7 @@ TEST_F(HostileNames, TitlesOfFoldersSurviveTheEcho) {
 
 // Three thousand letters took half a minute. Of processor time: other programs take the clock's.
 TEST_F(HostileNames, LongTitlesAreCutAndFast) {
-    write_scene("[output]\nmaps = max_depth\nmap-size = 640x480\nanimation = off\nframes = off\n");
+    write_scene("[output]\nmaps = max_depth\nmap-size = 640x480\nanimation = off\nframes = off\nreport = off\n");
     succeeded(run());
     const auto seconds = [&](const std::string& title) {
         const Outcome outcome =

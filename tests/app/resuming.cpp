@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 Resuming::Resuming() {
     write_scene(
         "stop-when-still = off\nstop-change = 0\nframe-interval = 0.5\n[numerics]\nparticles-per-cell = 16\n[output]\n"
-        "maps = off\nanimation = off\n" +
+        "maps = off\nanimation = off\nreport = off\n" +
         k_one_day + "[terrain]\ncell-size = 1\n");
 }
 

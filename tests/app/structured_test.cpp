@@ -54,7 +54,7 @@ TEST_F(StructuredScene, WritesTheSameFilesAsTheFirstModel) {
 // Blocks of solids with their water, through the same program: both phases in rasters and frames, nothing lost.
 TEST_F(StructuredScene, RunsSolidsWithTheirFluid) {
     write_fluid(
-        "frame-interval = 1\n[numerics]\nparticles-per-cell = 9\n[output]\nmaps = off\nanimation = off\n"
+        "frame-interval = 1\n[numerics]\nparticles-per-cell = 9\n[output]\nmaps = off\nanimation = off\nreport = off\n"
         "formats = geotiff, particles-gpkg\nmap-size = 640x480\n");
     ran("result", {"time.end=2", "structured.phases=solids-and-fluid", "structured.cohesion=2e3",
                    "structured.internal-friction-angle=28", "structured.bed-friction-angle=12",
@@ -102,7 +102,7 @@ TEST_F(StructuredScene, RunsSolidsWithTheirFluid) {
 
 // What a result's frames do not have is no map of theirs.
 TEST_F(StructuredScene, FluidAloneHasNoCohesionToDraw) {
-    write_fluid("frame-interval = 5\n[output]\nmaps = off\nanimation = off\nmap-size = 640x480\n");
+    write_fluid("frame-interval = 5\n[output]\nmaps = off\nanimation = off\nreport = off\nmap-size = 640x480\n");
     ran("result", {"time.end=5"});
     succeeded(frana({"render", "result", "--map", "velocity@5"}));
     for (const char* map : {"cohesion_ratio@5", "particle_cohesion@5"}) {

@@ -13,7 +13,7 @@ namespace {
 
 class Leftovers : public TrialGround {
   protected:
-    Leftovers() : TrialGround("off") {}
+    Leftovers() : TrialGround("off", "off") {}
     void SetUp() override {
         if (!can_watch_calls()) GTEST_SKIP() << "this system does not let a program's calls be watched (seccomp)";
         tried_ = commands();
@@ -149,7 +149,8 @@ TEST_F(Leftovers, AFolderOfTheReportsPicturesIsRemovedByTheNextRun) {
     TriedCommand pdf = measured("run");
     pdf.after.clear();
     for (auto* arguments : {&pdf.arguments, &pdf.again})
-        arguments->insert(arguments->end(), {"--set", "output.maps=max_depth", "--set", "output.map-formats=pdf"});
+        arguments->insert(arguments->end(), {"--set", "output.maps=max_depth", "--set", "output.map-formats=pdf",
+                                             "--set", "output.report=on"});
     measure(pdf, k_all);
     succeeded(disturb(pdf, {Answer::Kind::fail, EIO},
                       [](const SystemCall& call) { return is_of(call, "rmdir", "out/r.partial/report_pictures"); }));

@@ -74,12 +74,12 @@ SystemCall random_call(const std::vector<SystemCall>& calls, RandomNumbers& rand
     return {which.first, which.second, static_cast<int>(random.below(static_cast<std::size_t>(count)))};
 }
 
-TrialGround::TrialGround(const std::string& maps) {
+TrialGround::TrialGround(const std::string& maps, const std::string& report) {
     write_dtm([](int, int column) { return 300 - 0.5 * std::min((column + 0.5) * k_cell, 200.0); });
     write_scene(
         "stop-when-still = off\nframe-interval = 1\n[output]\nmap-size = 640x480\ncharts = off\nanimation = off\n"
         "checkpoint-interval = 0.02\n" +
-        k_one_day + "maps = " + maps + "\n");
+        k_one_day + "maps = " + maps + "\nreport = " + report + "\n");
     write("region.ini", "[region]\nscene = scene.ini\n");
     write("study.ini",
           "[study]\nscene = scene.ini\nsamples = 6\n[set]\ntime.end = 2\noutput.depth-thresholds = 0.5\n"

@@ -31,7 +31,7 @@ enum class Disturbance { error, kill, removal, memory };
 class TrialGround : public TinyScene {
   protected:
     /// @param maps output.maps of the scene; off where no picture matters, which takes a third of the time
-    explicit TrialGround(const std::string& maps = "max_depth");
+    explicit TrialGround(const std::string& maps = "max_depth", const std::string& report = "on");
 
     [[nodiscard]] std::string place() const { return (folder_ / "place").string(); }
     [[nodiscard]] std::string at(const std::string& name) const { return place() + "/" + name; }

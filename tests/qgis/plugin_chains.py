@@ -19,7 +19,8 @@ from qgis.core import (QgsLayerTreeGroup, QgsProcessingFeatureSourceDefinition, 
                        QgsProcessingParameterFeatureSource, QgsProcessingParameterNumber,
                        QgsProcessingParameterRasterLayer, QgsProject, QgsRasterLayer, QgsSettings, QgsVectorLayer)
 
-OBSERVED = {"observed_perimeter": SCAR, "hazard_scheme": "swiss-flood", "output_report": True}
+SMALL = {"output_report": True, "output_map_size": "640x480"}
+OBSERVED = {"observed_perimeter": SCAR, "hazard_scheme": "swiss-flood", **SMALL}
 
 
 def check_outputs(name, found, without=()):
@@ -80,10 +81,17 @@ def test_outputs_of_one_run():
 
 def test_outputs_of_many_runs():
     vary = ["Material: friction angle", "uniform(8, 16)", "release.volume", "uniform(3e4, 5e4)"]
-    range_of_runs = run("ensemble", {**scene("range"), "VARY": vary, "SAMPLES": 4, "output_report": True})
+    range_of_runs = run("ensemble", {**scene("range"), "VARY": vary, "SAMPLES": 4, **SMALL})
     check_outputs("ensemble", range_of_runs, {"EXPOSED_POINTS", "EXPOSED_LINES", "EXPOSED_AREAS", "EXPOSURE_TABLE",
                                               "EXPOSED_REACHED"})
     assert range_of_runs["FINISHED"] == 4
+    # The plugin's classes of probability are the program's.
+    from frana.algorithms.probability import style_probability
+    theirs, ours = (QgsRasterLayer(range_of_runs["PROBABILITY"], "styled") for _ in range(2))
+    style_probability(ours)
+    classes = [[(item.value, item.color.name(), item.color.alpha()) for item in
+                layer.renderer().shader().rasterShaderFunction().colorRampItemList()] for layer in (theirs, ours)]
+    assert classes[0] == classes[1], classes
     event = run("newscene", {**scene("event", **OBSERVED), "OUTPUT": os.path.join(folder, "event", "event.ini")})
     check_outputs("calibrate", run("calibrate", {
         "SCENES": [event["OUTPUT"]], "VARY": ["material.friction-angle", "uniform(8, 16)"], "OBJECTIVE": ["jaccard", "1"],
@@ -113,17 +121,6 @@ def test_probability():
                                              "OUTPUT": os.path.join(folder, "scored")}), {
         "COMPARISON", "COMPARISON_PICTURE", "JACCARD", "AREA_DIFFERENCE_PERCENT", "TRUE_POSITIVE_RATE",
         "RUNOUT_DIFFERENCE_M"})
-
-
-def test_probability_style():
-    """The plugin's classes of probability are the program's."""
-    from frana.algorithms.probability import style_probability
-    range_of_runs = run("ensemble", {**scene("styled"), "VARY": ["release.volume", "uniform(3e4, 5e4)"], "SAMPLES": 2})
-    theirs, ours = (QgsRasterLayer(range_of_runs["PROBABILITY"], "styled") for _ in range(2))
-    style_probability(ours)
-    classes = [[(item.value, item.color.name(), item.color.alpha()) for item in
-                layer.renderer().shader().rasterShaderFunction().colorRampItemList()] for layer in (theirs, ours)]
-    assert classes[0] == classes[1], classes
 
 
 def source(kind, *place):
@@ -235,7 +232,7 @@ def test_region():
     parameters = scene("region", release_perimeter=slopes, release_thickness_column="thick", FRICTION="mu", SCENARIO="scen",
                        RETURN_PERIOD="years", NAME="label", hazard_scheme="swiss-hillslope-debris-flow",
                        hazard_process="hillslope-debris-flow",
-                       output_exposure=polygons(LOWER), output_report=True)
+                       output_exposure=polygons(LOWER), **SMALL)
     del parameters["release_thickness"]
     assert "Scenario, from a column: " in refusal("batch", {**parameters, "SCENARIO": "nothing"})
     found = load("batch", parameters)
@@ -266,7 +263,7 @@ def test_events():
         layers = {name: polygons(*texts, event=[upper, lower]) for name, texts in (
             ("release", (UPPER, LOWER)), ("survey", (LOWER, UPPER)))}
         parameters = {**scene("events" + names[0], release_perimeter=layers["release"], observed_perimeter=layers["survey"],
-                              EVENT="event", output_report=True),
+                              EVENT="event", **SMALL),
                       "VARY": ["Material: Friction angle", "uniform(8, 16)"], "OBJECTIVE": ["jaccard", "1"],
                       "SAMPLES": 8}
         assert "Measures: none is given" in refusal("calibrate", {**parameters, "OBJECTIVE": None})

@@ -12,8 +12,10 @@
 
 namespace frana::test {
 
-/// No pictures and no frames: a run of a tenth of a second.
-inline const std::string k_numbers_only = "[output]\nmaps = off\nanimation = off\nframes = off\n";
+/// No pictures and no frames, but the report and the page with the map.
+inline const std::string k_pages_only = "[output]\nmaps = off\nanimation = off\nframes = off\n";
+/// Neither these: a run of a tenth of a second.
+inline const std::string k_numbers_only = k_pages_only + "report = off\n";
 // In [output]: pictures and the QGIS project show the day of the run, and two runs whose files are compared may have
 // midnight between them.
 inline const std::string k_one_day = "map-date = 2026-11-24\n";

@@ -30,7 +30,7 @@ class AccuracyRun : public TinyScene {
 };
 
 TEST_F(AccuracyRun, TellsLevelsCostEstimatesAndVerdict) {
-    succeeded(run("result", {"--accuracy", "2%"}));
+    succeeded(run("result", {"--accuracy", "2%", "--set", "output.report=on"}));
     const Json all = summary("result"), accuracy = all.at("accuracy");
     EXPECT_EQ(accuracy.at("asked"), 0.02);
     EXPECT_EQ(accuracy.at("finest_cell_size_m"), 2.0);

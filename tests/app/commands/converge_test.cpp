@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 using ConvergeCommand = TinyScene;
 
 TEST_F(ConvergeCommand, ReportsLevelsAndLaterRunsReportThem) {
-    write_scene("[output]\nmaps = off\nanimation = off\n");
+    write_scene("[output]\nmaps = off\nanimation = off\nreport = off\n");
     const Outcome study = succeeded(frana({"converge", "scene.ini", "--out", "result-convergence", "--quiet"}));
     EXPECT_NE(study.out.find("Covered area"), std::string::npos) << study.out;
     for (const char* name : {"convergence.csv", "convergence.json", "convergence.png", "uncertainty.tif",

@@ -65,7 +65,7 @@ TEST_F(Late, SecondSignalEndsAtOnceAndResumingCompletes) {
     // So large that drawing one takes much longer than both intervals.
     const std::vector<std::string> large{"--quiet",
                                          "--set",
-                                         "output.map-size=8000x6000",
+                                         "output.map-size=5000x3750",
                                          "--set",
                                          "output.maps=max_depth,max_velocity",
                                          "--set",

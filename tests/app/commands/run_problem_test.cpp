@@ -13,7 +13,7 @@ using FailingRun = TinyScene;
 
 TEST_F(FailingRun, NamesPlaceStepAndTimeEverywhere) {
     write_dtm([](int, int column) { return column == 16 ? -9999.0 : 300 - 2.5 * column; });
-    write_scene("frame-interval = 1\n[output]\nmaps = off\nanimation = off\nframes = on\n");
+    write_scene("frame-interval = 1\n[output]\nmaps = off\nanimation = off\nreport = off\nframes = on\n");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result"});
     EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
     const std::string summary = read_text(path("result/summary.json")), log = read_text(path("result/log.txt"));

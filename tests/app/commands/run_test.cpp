@@ -218,7 +218,7 @@ TEST_F(RunCommand, GroundWithoutElevationStopsWallsOrIsFilled) {
 
 TEST_F(RunCommand, PlainMetresWithoutACrs) {
     write_dtm({}, false);
-    write_scene("[output]\nmaps = off\nanimation = off\nframes = off\n");
+    write_scene();
     ran("result", {"terrain.crs=local"});
     EXPECT_EQ(json_text(read_text(path("result/summary.json")), "crs"), "local");
     EXPECT_EQ(gis::read_result_raster(path("result/max_depth.tif")).grid.crs_wkt, "");

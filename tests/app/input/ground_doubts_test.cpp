@@ -108,7 +108,7 @@ TEST_F(GroundDoubts, CopiedCellsAreToldWithTheirFactorAndFranasOwnResamplingIsRi
     write_grid("bed", 10, copied(30, bed));
     const std::string told = doubts();
     expect_words(told, {"copied cells (3 x 3)", "bilinear"});
-    run("copied", {});
+    run("copied", {"output.report=on"});
     EXPECT_LT(number("copied", "runout.horizontal_m"), 0.5 * number("right", "runout.horizontal_m"));
     expect_words(read_text(path("copied/report.html")), {"copied cells (3 x 3)"});
     // What passes on without the log carries it, too; those of a study as well.

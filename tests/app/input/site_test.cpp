@@ -208,7 +208,7 @@ TEST_F(Site, InflowCountsForTheVolumeOfAFrictionTable) {
     expect_words(shown.out, {"NGI, Voellmy friction", "(class 5 000 – 25 000 m³)", "ngi-avalanche.ini",
                              "300 kg/m3, from: friction table"});
     // What decides a number and was left alone is told, by a first reader's screen and by the report.
-    write_scene(k_numbers_only + "report = on\n");
+    write_scene(k_pages_only);
     const Json alone = parse_json(frana({"check", "scene.ini", "--json"}).out)["left_at_default"];
     ran("alone", {"time.end=1"});
     const std::string report = read_text(path("alone/report.html"));

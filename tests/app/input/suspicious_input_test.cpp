@@ -20,7 +20,7 @@ class SuspiciousInput : public CheckedScene {
 
 // The slope falls by half: atan(0.5) is 26.6 degrees; the release lies from x = 20 to 70 m.
 TEST_F(SuspiciousInput, CheckAndResultTellElevationsAndSlopes) {
-    write_scene(k_numbers_only);
+    write_scene(k_pages_only);
     const Outcome check = succeeded(frana({"check", "scene.ini"}));
     expect_words(check.out, {"release          ", " m, slope 27 degrees on average, 27 at most", "path             "});
     ran();
@@ -52,7 +52,7 @@ TEST_F(SuspiciousInput, AFlatReleaseIsReported) {
 
 // Metres read as feet: the slope of 26.6 degrees becomes one of 8.7.
 TEST_F(SuspiciousInput, AReleaseThatItsFrictionHoldsIsReported) {
-    write_scene(k_numbers_only);
+    write_scene(k_pages_only);
     EXPECT_EQ(check().told(), "");
     const auto with = [&](const std::string& more) { return check({more}).told(); };
     expect_words(with("terrain.vertical-unit=foot"),

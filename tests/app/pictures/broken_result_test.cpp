@@ -35,11 +35,10 @@ struct ReadFile {
 };
 
 // Without a missing file everything else is drawn; a damaged file is always refused.
-const std::map<Damage, int> k_needed{
-    {Damage::missing, 2}, {Damage::empty, 2}, {Damage::half, 2}, {Damage::garbage, 2}, {Damage::other, 2}};
+const std::map<Damage, int> k_needed{{Damage::missing, 2}, {Damage::empty, 2}, {Damage::half, 2}, {Damage::other, 2}};
 const std::map<Damage, int> k_exchanged{{Damage::other, 2}};
 const std::map<Damage, int> k_optional{{Damage::missing, 0}, {Damage::other, 2}};
-const std::map<Damage, int> k_optional_table{{Damage::missing, 0}, {Damage::empty, 2}, {Damage::half, 2}};
+const std::map<Damage, int> k_optional_table{{Damage::missing, 0}, {Damage::half, 2}};
 
 const std::vector<ReadFile> k_cases{
     {"frames/frames.csv", {"film", "view", "particles"}, k_needed},
@@ -47,7 +46,7 @@ const std::vector<ReadFile> k_cases{
     {"frames/depth_0004.tif", {"film"}, k_exchanged},
     {"frames/velocity_0001.tif", {"speeds"}, k_exchanged},
     {"frames/particles_0001.gpkg", {"particles"}, {{Damage::missing, 2}, {Damage::garbage, 2}}},
-    {"max_depth.tif", {"film", "compare"}, {{Damage::missing, 2}, {Damage::empty, 2}, {Damage::other, 2}}},
+    {"max_depth.tif", {"film", "compare"}, {{Damage::empty, 2}, {Damage::other, 2}}},
     {"max_velocity.tif", {"maps"}, k_exchanged},
     {"release.tif", {"maps"}, k_exchanged},
     {"bed.tif", {"maps"}, {{Damage::missing, 0}, {Damage::other, 0}}},  // they contain nothing of it
@@ -61,7 +60,7 @@ const std::vector<ReadFile> k_cases{
     {"extent.gpkg", {"maps"}, {{Damage::missing, 0}, {Damage::half, 2}}},
     {"profiles.gpkg", {"maps"}, {{Damage::garbage, 2}}},
     {"scene.ini", {"maps"}, {{Damage::missing, 0}}},
-    {"summary.json", {"maps"}, {{Damage::missing, 0}, {Damage::empty, 2}, {Damage::half, 2}}},
+    {"summary.json", {"maps"}, {{Damage::missing, 0}, {Damage::half, 2}}},
 };
 
 class BrokenResult : public TinyScene {

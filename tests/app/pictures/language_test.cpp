@@ -19,7 +19,8 @@ class Languages : public TinyScene {
   protected:
     void run(const std::string& language, const std::vector<std::string>& sets = {}) {
         write_scene(
-            "[output]\nmaps = max_depth\nmap-formats = svg\nmap-size = 1000x750\nanimation = off\nframes = off\n" +
+            "[output]\nmaps = max_depth\nmap-formats = svg\nmap-size = 1000x750\nanimation = off\nreport = off\nframes "
+            "= off\n" +
             language);
         succeeded(frana(with_sets({"run", "scene.ini", "--out", "result", "--overwrite"}, sets)));
     }
@@ -83,7 +84,9 @@ TEST_F(Languages, AMapOfFrictionNamesItsTableAndItsSource) {
 }
 
 TEST_F(Languages, ChartsOfAStudyNameKeysAndUnitsAsPrintDoes) {
-    write_scene("[output]\nmap-formats = svg\nmap-size = 1000x750\nanimation = off\nframes = off\nlanguage = de\n");
+    write_scene(
+        "[output]\nmap-formats = svg\nmap-size = 1000x750\nanimation = off\nreport = off\nframes = off\nlanguage = "
+        "de\n");
     write("study.ini",
           "[study]\nscene = scene.ini\nsamples = 8\n[vary]\nmaterial.friction-angle = uniform(10, 26)\n"
           "material.turbulence = log-uniform(200, 2000)\n");

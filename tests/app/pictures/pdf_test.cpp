@@ -38,7 +38,7 @@ TEST_F(Pdf, OfEveryKindShowsWhatItsPngShows) {
 }
 
 TEST_F(Pdf, CanBeSearchedForTitleNumbersAndNames) {
-    write_scene("[output]\nmaps = off\nanimation = off\ncharts = off\n");
+    write_scene("[output]\nmaps = off\nanimation = off\nreport = off\ncharts = off\n");
     succeeded(frana({"run", "scene.ini", "--out", "result"}));
     const std::vector<std::string> words{"render",   "result", "--map",    "max_depth",
                                          "--size",   "A4",     "--format", "pdf",

@@ -29,7 +29,7 @@ std::pair<int, int> png_size(const std::string& path) {
 class Render : public CheckedScene {
   protected:
     void SetUp() override {
-        write_scene("frame-interval = 1\n[output]\nmaps = off\nanimation = off\n");
+        write_scene("frame-interval = 1\n[output]\nmaps = off\nanimation = off\nreport = off\n");
         ran();
     }
 };

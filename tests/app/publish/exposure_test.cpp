@@ -180,7 +180,8 @@ TEST_F(Exposure, FarFeaturesDoNotSetTheMapsScale) {
 // What a mayor asks first: how many are reached, in the log, in the report and on the map.
 TEST_F(Exposure, IsAnsweredInTheLanguageOfTheScene) {
     write_exposed();
-    const std::vector<std::string> report{"--quiet", "--set", "output.maps=max_depth", "--set", "output.language=de"};
+    const std::vector<std::string> report{"--quiet",          "--set", "output.maps=max_depth", "--set",
+                                          "output.report=on", "--set", "output.language=de"};
     succeeded(frana(with_more({"run", "scene.ini", "--out", "out"}, report)));
     EXPECT_NE(read_text(path("out/log.txt")).find("Exposed features reached: ≥ 3 of 7; Count: ≥ 21 of 25"),
               std::string::npos);

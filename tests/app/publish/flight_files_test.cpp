@@ -72,7 +72,7 @@ TEST_F(FlightFiles, OfResolutionsAreWarnings) {
 
 TEST_F(FlightFiles, AgreeWithTheParabola) {
     write_polygon("near", {{100, 50}, {130, 50}, {130, 90}, {100, 90}});
-    const Outcome outcome = succeeded(run("on"));
+    const Outcome outcome = succeeded(run("on", {"output.report=on"}));
     EXPECT_NE(outcome.err.find("material flew over edges"), std::string::npos) << outcome.err;
     const std::string summary = read_text(path("result/summary.json"));
     const double length = 10 * std::sqrt(2 * 40 / 9.81);

@@ -35,16 +35,22 @@ class MapPage : public TinyScene {
         write_scene("[output]\nmaps = off\nanimation = off\ncharts = off\n" + output + "\n" + more);
         ran();
     }
-    /// Opens a copy of the page in which a script ends with `seen = ...`; returns that, and what the console shows.
     Json seen(const std::string& script, int width = 1200) {
+        const Json all = seen(std::vector<std::string>{script}, width);
+        return all.is_array() ? all.at(0) : Json{};
+    }
+    /// Opens a copy of the page in which each script ends with `seen = ...`; returns these, and what the console shows.
+    Json seen(const std::vector<std::string>& scripts, int width = 1200) {
         const std::string page = text_of(path("result/map.html")), end = "</body>";
+        std::string run_all;
+        for (const std::string& script : scripts) run_all += "{ let seen;\n" + script + "\nall.push(seen); }\n";
         std::string copy = page;
         copy.insert(copy.rfind(end),
-                    "<script>(async () => { let seen; const wait = ms => new Promise(done => "
+                    "<script>(async () => { const all = []; const wait = ms => new Promise(done => "
                     "setTimeout(done, ms)); await wait(300);\n" +
-                        script +
+                        run_all +
                         "\ndocument.body.replaceChildren(element('pre', {id: 'seen'}, "
-                        "encodeURIComponent(JSON.stringify(seen)))); })();</script>");
+                        "encodeURIComponent(JSON.stringify(all)))); })();</script>");
         std::ofstream(path("copy.html"), std::ios::binary) << copy;
         const std::string command =
             "timeout 120 chromium --headless --no-sandbox --disable-gpu --no-first-run "
@@ -88,12 +94,17 @@ const std::string k_click =
     "await wait(300); };\nconst rows = () => [...document.querySelectorAll('#values tr')].map(row => "
     "[...row.children].map(cell => cell.textContent));\n";
 
-TEST_F(MapPage, HasTheValuesOfItsRasters) {
-    run("frames = on");
-    const Json page = seen(
-        "seen = {grid, requests: performance.getEntriesByType('resource').length, layers: []};\n"
-        "for (const one of data.layers) seen.layers.push({name: one.name, step: one.step, values: "
-        "[...await cellsOf(one)].map(value => Number.isNaN(value) ? null : value)});");
+/// Of one run, all that its page shows in a window.
+class WholePage : public MapPage {
+  protected:
+    void expect_values(const Json& page) const;
+    static void expect_classes(const Json& page);
+    /// @param deepest  the cell's depth [m]
+    static void expect_place(const Json& page, double deepest);
+    static void expect_paper(const Json& told);
+};
+
+void WholePage::expect_values(const Json& page) const {
     EXPECT_EQ(page["requests"], 0);
     ASSERT_GE(page["layers"].size(), 5U);
     for (const Json& layer : page["layers"]) {
@@ -127,43 +138,17 @@ TEST_F(MapPage, HasTheValuesOfItsRasters) {
 }
 
 // Inside a class its colour alone; at an edge pixels of one cell differ. What the cells hold stays.
-TEST_F(MapPage, SmoothsTheEdgesOfClassesForDisplay) {
-    run("");
-    const Json page = seen(
-        "const values = await cellsOf(layer), width = shown.width;\n"
-        "const bytes = shown.getContext('2d').getImageData(0, 0, width, shown.height).data;\n"
-        "const of = (row, column) => row < 0 || column < 0 || row >= grid.rows || column >= grid.columns ? -1 : "
-        "classOf(layer, values[row * grid.columns + column]);\n"
-        "seen = {finer, inside: 0, wrong: 0, mixed: 0};\n"
-        "for (let row = 0; row < grid.rows; ++row) for (let column = 0; column < grid.columns; ++column) {\n"
-        "const own = of(row, column), around = [-1, 0, 1].flatMap(r => [-1, 0, 1].map(c => of(row + r, column + c))), "
-        "colours = new Set();\n"
-        "for (let k = 0; k < finer * finer; ++k) { const at = 4 * ((row * finer + Math.floor(k / finer)) * width + "
-        "column * finer + k % finer); colours.add(bytes.slice(at, at + 4).join()); }\n"
-        "if (own >= 0 && around.every(one => one === own)) { ++seen.inside; if (colours.size > 1 || "
-        "!colours.has([...layer.classes[own].colour, 255].join())) ++seen.wrong; }\n"
-        "else if (colours.size > 1) ++seen.mixed; }");
+void WholePage::expect_classes(const Json& page) {
     EXPECT_EQ(page["finer"], 4);
     EXPECT_GT(page["inside"].get<int>(), 10);
     EXPECT_EQ(page["wrong"], 0);
     EXPECT_GT(page["mixed"].get<int>(), 10);
 }
 
-TEST_F(MapPage, TellsThePlaceThatIsClicked) {
-    run("frames = on");
-    const Raster depth = gis::read_result_raster(path("result/max_depth.tif"));
-    std::size_t deepest = 0;
-    for (std::size_t cell = 0; cell < depth.values.size(); ++cell)
-        if (depth.values[cell] > 0 && !(depth.values[cell] <= depth.values[deepest])) deepest = cell;
-    const Point place = depth.grid.cell_centre(static_cast<std::int64_t>(deepest) / depth.grid.columns,
-                                               static_cast<std::int64_t>(deepest) % depth.grid.columns);
-    const std::string x = std::to_string(place.x) + " - grid.west", y = std::to_string(place.y) + " - grid.south";
-    const Json page =
-        seen(k_click + "await click(" + x + ", " + y + "); seen = {rows: rows(), popup: " +
-             "document.querySelector('.leaflet-popup-content').textContent, frames: data.frames.list.length};");
+void WholePage::expect_place(const Json& page, double deepest) {
     std::map<std::string, std::string> rows;
     for (const Json& row : page["rows"]) rows[row[0]] = row[1];
-    EXPECT_NEAR(std::stod(rows["Maximum depth, vertical"]), depth.values[deepest], 0.001001);
+    EXPECT_NEAR(std::stod(rows["Maximum depth, vertical"]), deepest, 0.001001);
     EXPECT_TRUE(rows["Maximum depth, vertical"].ends_with(" m"));
     EXPECT_TRUE(rows["Maximum velocity"].ends_with(" m/s"));
     // EPSG:32632 at these coordinates, by PROJ's cs2cs: 46.0 N, 9.35 E; the middle of the slope is near.
@@ -173,6 +158,71 @@ TEST_F(MapPage, TellsThePlaceThatIsClicked) {
     EXPECT_NEAR(longitude, 9.35, 0.01);
     EXPECT_NE(page["popup"].get<std::string>().find(rows["Maximum depth, vertical"]), std::string::npos);
     EXPECT_GT(page["frames"].get<int>(), 2);
+}
+
+// On paper the ground fills the map, and the map the page that is turned as its ground is.
+void WholePage::expect_paper(const Json& told) {
+    const bool upright = told.at("page").get<std::string>().find("portrait") != std::string::npos;
+    EXPECT_NEAR(told.at("across").get<double>(), 1, 0.02);
+    EXPECT_NEAR(told.at("along").get<double>(), 1, 0.02);
+    const double width = told.at("width"), height = told.at("height");
+    EXPECT_EQ(upright, width < height);
+    // 12 mm are the margins; legend and values need the rest of the height.
+    EXPECT_TRUE(std::abs(width - (upright ? 186 : 273)) < 1 || std::abs(height - (upright ? 190 : 125)) < 1)
+        << width << " x " << height;
+    EXPECT_EQ(told.at("before"), told.at("after"));
+}
+
+TEST_F(WholePage, HasValuesClassesThePlaceClickedRoadsAndFillsPaper) {
+    write_features("roads", {{"LineString", {{-50, 75}, {400, 75}}}, {"LineString", {{-50, 9000}, {400, 9000}}}});
+    run("frames = on\nmap-context = roads.geojson");
+    const Raster depth = gis::read_result_raster(path("result/max_depth.tif"));
+    std::size_t deepest = 0;
+    for (std::size_t cell = 0; cell < depth.values.size(); ++cell)
+        if (depth.values[cell] > 0 && !(depth.values[cell] <= depth.values[deepest])) deepest = cell;
+    const Point place = depth.grid.cell_centre(static_cast<std::int64_t>(deepest) / depth.grid.columns,
+                                               static_cast<std::int64_t>(deepest) % depth.grid.columns);
+    const std::string x = std::to_string(place.x) + " - grid.west", y = std::to_string(place.y) + " - grid.south";
+    const std::string
+        values =
+            "seen = {grid, requests: performance.getEntriesByType('resource').length, layers: []};\n"
+            "for (const one of data.layers) seen.layers.push({name: one.name, step: one.step, values: "
+            "[...await cellsOf(one)].map(value => Number.isNaN(value) ? null : value)});",
+        classes =
+            "const values = await cellsOf(layer), width = shown.width;\n"
+            "const bytes = shown.getContext('2d').getImageData(0, 0, width, shown.height).data;\n"
+            "const of = (row, column) => row < 0 || column < 0 || row >= grid.rows || column >= grid.columns ? -1 : "
+            "classOf(layer, values[row * grid.columns + column]);\n"
+            "seen = {finer, inside: 0, wrong: 0, mixed: 0};\n"
+            "for (let row = 0; row < grid.rows; ++row) for (let column = 0; column < grid.columns; ++column) {\n"
+            "const own = of(row, column), around = [-1, 0, 1].flatMap(r => [-1, 0, 1].map(c => of(row + r, column + "
+            "c))), "
+            "colours = new Set();\n"
+            "for (let k = 0; k < finer * finer; ++k) { const at = 4 * ((row * finer + Math.floor(k / finer)) * width + "
+            "column * finer + k % finer); colours.add(bytes.slice(at, at + 4).join()); }\n"
+            "if (own >= 0 && around.every(one => one === own)) { ++seen.inside; if (colours.size > 1 || "
+            "!colours.has([...layer.classes[own].colour, 255].join())) ++seen.wrong; }\n"
+            "else if (colours.size > 1) ++seen.mixed; }",
+        click = k_click + "await click(" + x + ", " + y + "); seen = {rows: rows(), popup: " +
+                "document.querySelector('.leaflet-popup-content').textContent, frames: data.frames.list.length};",
+        roads =
+            "seen = data.shapes.filter(one => one.title === 'Surroundings')"
+            ".map(one => [one.features.length, map.hasLayer(one.group)]);",
+        paper =
+            "const before = map.getSize().x; window.dispatchEvent(new Event('beforeprint'));"
+            "const view = map.getBounds(), size = map.getSize();"
+            "seen = { across: extent[1][1] / (view.getEast() - view.getWest()), along: extent[1][0] / (view.getNorth() "
+            "- "
+            "view.getSouth()), width: size.x * 25.4 / 96, height: size.y * 25.4 / 96, page: sheet.textContent, before "
+            "};"
+            "window.dispatchEvent(new Event('afterprint')); seen.after = map.getSize().x;";
+    const Json all = seen({values, classes, click, roads, paper});
+    ASSERT_EQ(all.size(), 5U);
+    expect_values(all[0]);
+    expect_classes(all[1]);
+    expect_place(all[2], depth.values[deepest]);
+    EXPECT_EQ(all[3], Json::array({Json::array({1, true})})) << "of two roads one meets the map";
+    expect_paper(all[4]);
 }
 
 TEST_F(MapPage, DrawsALineAndPlaysOnAPhone) {
@@ -219,7 +269,7 @@ TEST_F(MapPage, DrawsALineAndPlaysOnAPhone) {
 TEST_F(MapPage, ShowsTheGreatestValueOfBlocksOfALargeMap) {
     write_dtm();
     write_polygon("perimeter", {{10, 10}, {290, 10}, {290, 140}, {10, 140}});
-    write_scene(k_numbers_only + "[terrain]\ncell-size = 0.2\n[numerics]\nscheme = finite-volume\n");
+    write_scene(k_pages_only + "[terrain]\ncell-size = 0.2\n[numerics]\nscheme = finite-volume\n");
     ran("result", {"time.end=0.02"});
     const Json page = seen(
         "const values = await cellsOf(data.layers.find(one => one.name === 'max_depth')); seen = {grid, notes: "
@@ -262,35 +312,6 @@ TEST_F(MapPage, ShowsHostileNamesAsText) {
     EXPECT_EQ(page["images"], 0);
     EXPECT_EQ(page["language"], "de");
     EXPECT_NE(page["outlines"].get<std::string>().find("Anrissgebiet"), std::string::npos);
-}
-
-// On paper the ground fills the map, and the map the page that is turned as its ground is.
-TEST_F(MapPage, FillsAPageOnPaper) {
-    run("");
-    const Json told = seen(
-        "const before = map.getSize().x; window.dispatchEvent(new Event('beforeprint'));"
-        "const view = map.getBounds(), size = map.getSize();"
-        "seen = { across: extent[1][1] / (view.getEast() - view.getWest()), along: extent[1][0] / (view.getNorth() - "
-        "view.getSouth()), width: size.x * 25.4 / 96, height: size.y * 25.4 / 96, page: sheet.textContent, before };"
-        "window.dispatchEvent(new Event('afterprint')); seen.after = map.getSize().x;");
-    const bool upright = told.at("page").get<std::string>().find("portrait") != std::string::npos;
-    EXPECT_NEAR(told.at("across").get<double>(), 1, 0.02);
-    EXPECT_NEAR(told.at("along").get<double>(), 1, 0.02);
-    const double width = told.at("width"), height = told.at("height");
-    EXPECT_EQ(upright, width < height);
-    // 12 mm are the margins; legend and values need the rest of the height.
-    EXPECT_TRUE(std::abs(width - (upright ? 186 : 273)) < 1 || std::abs(height - (upright ? 190 : 125)) < 1)
-        << width << " x " << height;
-    EXPECT_EQ(told.at("before"), told.at("after"));
-}
-
-TEST_F(MapPage, ShowsRoadsOfTheSurroundingsThatMeetTheMap) {
-    write_features("roads", {{"LineString", {{-50, 75}, {400, 75}}}, {"LineString", {{-50, 9000}, {400, 9000}}}});
-    run("map-context = roads.geojson");
-    const Json given = seen(
-        "seen = data.shapes.filter(one => one.title === 'Surroundings')"
-        ".map(one => [one.features.length, map.hasLayer(one.group)]);");
-    EXPECT_EQ(given, Json::array({Json::array({1, true})}));
 }
 
 }  // namespace

@@ -60,11 +60,9 @@ std::vector<std::string> cells_of(const std::string& row) {
     return cells;
 }
 
-const std::string k_quiet = "[output]\nmaps = off\nanimation = off\nframes = off\n";
-
 TEST_F(Output, EveryRasterIsAValidCloudOptimisedGeotiffWithProvenance) {
     write_polygon("scar", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
-    run("frame-interval = 2\n[output]\nmaps = off\nanimation = off\n[hazard]\nscheme = "
+    run("frame-interval = 2\n[output]\nmaps = off\nanimation = off\nreport = off\n[hazard]\nscheme = "
         "swiss-flood\n"
         "[scar]\nperimeter = scar.geojson\n");
     const std::string hash = json_text(text("manifest.json"), "scene_hash");
@@ -104,7 +102,7 @@ TEST_F(Output, GdalsOwnValidatorAgrees) {
     if (std::system("/usr/bin/python3 -c 'import osgeo_utils.samples.validate_cloud_optimized_geotiff' 2> "
                     "/dev/null") != 0)
         GTEST_SKIP() << "GDAL's validator (Debian: python3-gdal) is not installed";
-    run(k_quiet + "[hazard]\nscheme = swiss-debris-flow\n");
+    run(k_numbers_only + "[hazard]\nscheme = swiss-debris-flow\n");
     for (const std::string name : {"max_depth", "dtm", "hazard"}) {
         const std::string report = path("report_" + name);
         const int status = std::system(
@@ -123,7 +121,7 @@ TEST_F(Output, TheHashFollowsTheScene) {
 }
 
 TEST_F(Output, OutlinesHaveTheirValues) {
-    run(k_quiet);
+    run(k_numbers_only);
     const gis::GdalSession session;
     const GDALDatasetUniquePtr file(GDALDataset::Open(path("result/extent.gpkg").c_str(), GDAL_OF_VECTOR));
     ASSERT_TRUE(file);
@@ -155,7 +153,7 @@ TEST_F(Output, OutlinesHaveTheirValues) {
 }
 
 TEST_F(Output, HighValuesAreThoseOfTheRasters) {
-    run(k_quiet + "trace-threshold = 0.3\n");
+    run(k_pages_only + "trace-threshold = 0.3\n");
     const std::string summary = text("summary.json"), report = text("report.html");
     const Raster depth = gis::read_result_raster(path("result/max_depth.tif"));
     const std::array<std::array<std::string, 2>, 3> statistics{
@@ -185,7 +183,7 @@ TEST_F(Output, HighValuesAreThoseOfTheRasters) {
 }
 
 TEST_F(Output, HighValuesOfNoAreaAreNone) {
-    run(k_quiet + "trace-threshold = 50\n");
+    run(k_numbers_only + "trace-threshold = 50\n");
     const std::string summary = text("summary.json");
     EXPECT_EQ(json_number(summary, "covered_area_m2"), 0);
     EXPECT_GT(json_number(summary, "max_depth_m"), 1);
@@ -194,7 +192,7 @@ TEST_F(Output, HighValuesOfNoAreaAreNone) {
 
 TEST_F(Output, ProfilesAlongTheFlowPathAndTheUsersLine) {
     write_features("axis", {{"LineString", {{10, 75}, {210, 75}}, named("axis")}});
-    run(k_quiet + "profiles = axis.geojson\n");
+    run(k_numbers_only + "profiles = axis.geojson\n");
     const std::vector<std::string> rows = rows_of(text("profiles.csv"));
     ASSERT_GT(rows.size(), 42U);
     EXPECT_EQ(rows[0],
@@ -240,7 +238,7 @@ TEST_F(Output, GaugesAndCrossSectionsRecordTheFlow) {
     write_features("gauges", {{"Point", {{45, 75}}, named("top")}, {"Point", {{290, 5}}, named("never")}});
     // Across the slope 10 m below the release, drawn from the south to the north: downhill is to the right.
     write_features("sections", {{"LineString", {{80, 0}, {80, 150}}, named("bridge")}});
-    run(k_quiet + "gauges = gauges.geojson\ncross-sections = sections.geojson\nsample-interval = 0.5\n");
+    run(k_numbers_only + "gauges = gauges.geojson\ncross-sections = sections.geojson\nsample-interval = 0.5\n");
     const std::vector<std::string> gauges = rows_of(text("gauges.csv")), sections = rows_of(text("sections.csv"));
     EXPECT_EQ(gauges[0], "time_s,gauge,depth_m,speed_ms");
     EXPECT_EQ(sections[0], "time_s,section,discharge_m3s,volume_m3,wetted_width_m,max_depth_m,max_speed_ms");
@@ -273,7 +271,7 @@ TEST_F(Output, PlacesOutsideTheGridAndLayersOfTheWrongKindAreRefusedTogether) {
 }
 
 TEST_F(Output, HazardClassesFollowFromTheRasters) {
-    run(k_quiet + "[hazard]\nscheme = swiss-debris-flow\n");
+    run(k_numbers_only + "[hazard]\nscheme = swiss-debris-flow\n");
     const Raster classes = raster("hazard.tif"), depth = raster("max_depth.tif"), speed = raster("max_velocity.tif");
     double high = 0, thin = 0;
     for (std::size_t i = 0; i < classes.values.size(); ++i) {
@@ -307,20 +305,20 @@ TEST_F(Output, HazardClassesFollowFromTheRasters) {
 TEST_F(Output, HazardClassesAddUpToTheCoveredArea) {
     write("by_depth.ini", own_scheme("depth > ", "0.5 m", "2 m"));
     const std::string by_depth = "[hazard]\nscheme = by_depth.ini\n";
-    for (const std::string& more : {k_quiet + by_depth, k_quiet + "trace-threshold = 0.3\n" + by_depth}) {
+    for (const std::string& more : {k_numbers_only + by_depth, k_numbers_only + "trace-threshold = 0.3\n" + by_depth}) {
         run(more);
         double classes = 0;
         for (const Json& one : json_value(text("summary.json"), "hazard")) classes += one["area_m2"].get<double>();
         EXPECT_NEAR(classes, json_number(text("summary.json"), "covered_area_m2"), 1e-6) << more;  // rounding of sums
     }
-    run(k_quiet + by_depth + "minimum-depth = 1\n");
+    run(k_numbers_only + by_depth + "minimum-depth = 1\n");
     const Raster classes = raster("hazard.tif"), depth = raster("max_depth.tif");
     for (std::size_t i = 0; i < classes.values.size(); ++i)
         ASSERT_EQ(!std::isnan(classes.values[i]), depth.values[i] > 1) << depth.values[i];
 }
 
 TEST_F(Output, GreatestValuesHavePlaceAndTime) {
-    run(k_quiet);
+    run(k_numbers_only);
     for (const auto& [name, column] : {std::pair{"max_depth", "max_depth"}, {"max_velocity", "max_speed"}}) {
         const Raster values = raster(std::string(name) + ".tif");
         const Json at = json_value(text("summary.json"), std::string(name) + "_at");
@@ -355,11 +353,11 @@ TEST_F(Output, DoubtfulReleasesAreWarnings) {
     const auto energy_is_told = [&] {
         return warns(energy) == (json_number(text("summary.json"), "energy_error") > 0.05);
     };
-    run(k_quiet);
+    run(k_numbers_only);
     for (const std::string& words : {step, stout, few}) EXPECT_FALSE(warns(words)) << words;
     EXPECT_TRUE(energy_is_told());
     // Thicker than half of its width of sqrt(2000) m, with a wall of 45 m.
-    run(k_quiet, {"release.thickness=45"});
+    run(k_numbers_only, {"release.thickness=45"});
     for (const std::string& words : {step, stout}) EXPECT_TRUE(warns(words)) << words;
     EXPECT_FALSE(warns(few));
     const Outcome check = succeeded(frana({"check", "scene.ini", "--json", "--set", "release.thickness=45"}));
@@ -367,12 +365,12 @@ TEST_F(Output, DoubtfulReleasesAreWarnings) {
     EXPECT_FALSE(json_lists(check.out, "warnings", few));
     EXPECT_TRUE(energy_is_told());
     write_polygon("small", {{20, 55}, {35, 55}, {35, 70}, {20, 70}});
-    run(k_quiet, {"release.perimeter=small.geojson"});
+    run(k_numbers_only, {"release.perimeter=small.geojson"});
     EXPECT_TRUE(warns(few)) << text("summary.json");
 }
 
 TEST_F(Output, SchemesThatNeedFluxOrHeadRecordThem) {
-    run(k_quiet + "[hazard]\nscheme = austrian-torrent\n");
+    run(k_numbers_only + "[hazard]\nscheme = austrian-torrent\n");
     const Raster classes = raster("hazard.tif"), head = raster("max_head.tif"), deposit = raster("final_depth.tif");
     for (std::size_t i = 0; i < classes.values.size(); ++i) {
         if (std::isnan(classes.values[i])) continue;
@@ -439,7 +437,7 @@ TEST_F(Output, AnOwnSchemeIsAFile) {
 // The slope falls 1 in 2 as far as column 39 (cosine 1 / sqrt(1.25)), is level from column 41 on.
 TEST_F(Output, DepthsNormalToTheBedAreTheVerticalOnesTimesTheCosineOfTheSlope) {
     const std::string maps =
-        "frame-interval = 2\n[output]\nmaps = max_depth, hazard\nmap-formats = svg\nanimation = off\n"
+        "frame-interval = 2\n[output]\nmaps = max_depth, hazard\nmap-formats = svg\nanimation = off\nreport = off\n"
         "[hazard]\nscheme = swiss-debris-flow\n";
     run(maps);
     fs::rename(path("result"), path("vertical"));
@@ -503,7 +501,7 @@ TEST_F(Output, DepthsNormalToTheBedAreTheVerticalOnesTimesTheCosineOfTheSlope) {
 TEST_F(Output, TheThicknessOfAReleaseIsGivenInBothDirections) {
     const gis::GdalSession session;
     for (const std::string direction : {"normal", "vertical"}) {
-        run(k_quiet, {"release.thickness-direction=" + direction});
+        run(k_numbers_only, {"release.thickness-direction=" + direction});
         const GDALDatasetUniquePtr file(GDALDataset::Open(path("result/extent.gpkg").c_str(), GDAL_OF_VECTOR));
         const OGRFeatureUniquePtr release(file->GetLayerByName("release")->GetNextFeature());
         const auto value = [&](const char* field) { return release->GetFieldAsDouble(field); };

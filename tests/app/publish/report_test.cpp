@@ -90,7 +90,7 @@ TEST_F(Report, HasTheAnswerFirstAndOnlyTheKeysUsed) {
 
 // A value has the estimate that there is, and says so where there is none.
 TEST_F(Report, HasTheEstimateOfTheError) {
-    write_scene(k_numbers_only);
+    write_scene(k_pages_only);
     ran("plain");
     EXPECT_NE(page_of("plain").find("<td class=\"soft\">no estimate</td>"), std::string::npos);
     EXPECT_EQ(page_of("plain").find("<td class=\"soft\">± "), std::string::npos);
@@ -174,10 +174,10 @@ TEST_F(Report, ShowsPicturesRequestedInOtherFormats) {
 }
 
 TEST_F(Report, IsWrittenOnlyOnRequest) {
-    write_scene(k_numbers_only + "report = off\n");
+    write_scene(k_numbers_only);
     ran();
     EXPECT_FALSE(fs::exists(path("result/report.html")));
-    write_scene(k_numbers_only);
+    write_scene(k_pages_only);
     ran("other");
     EXPECT_EQ(page_of("other").find("<h2 id=\"maps\""), std::string::npos) << "the scene asks for none";
 }
@@ -239,7 +239,7 @@ TEST_F(Report, SpeaksTheLanguageOfTheScene) {
              {"de", {"Antwort", "<td>Reibungswinkel</td><td>15°", "Vergleich mit der Kartierung"}},
              {"fr", {"Réponse", "<td>angle de frottement</td><td>15°", "Comparaison avec le levé"}},
              {"es", {"Respuesta", "<td>ángulo de fricción</td><td>15°", "Comparación con el levantamiento"}}}) {
-        write_scene(k_numbers_only + "language = " + language + "\n[observed]\nperimeter = scar.geojson\n");
+        write_scene(k_pages_only + "language = " + language + "\n[observed]\nperimeter = scar.geojson\n");
         ran(language);
         const std::string page = page_of(language);
         expect_well_formed(page);

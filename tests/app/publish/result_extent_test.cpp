@@ -22,7 +22,7 @@ class ResultExtent : public TinyScene {
     ResultExtent() {
         write_polygon("scar", {{20, 60}, {150, 60}, {150, 90}, {20, 90}});
         write_scene(
-            "[output]\nmaps = max_depth\nmap-size = 640x480\nanimation = off\n"
+            "[output]\nmaps = max_depth\nmap-size = 640x480\nanimation = off\nreport = off\n"
             "[scar]\nperimeter = "
             "scar.geojson\n[entrainment]\nerosion = growth\ngrowth-rate = 0.02\nerodible-depth = 1\n");
     }

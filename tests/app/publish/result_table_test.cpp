@@ -64,7 +64,7 @@ TEST_F(ResultTable, MapsShowTheValuesOfTheSummary) {
 
 // Maps, frames and GIS styles of a run have the same classes, as many as its values need.
 TEST_F(ResultTable, ClassesAreTheSameOnMapsFramesAndInStyles) {
-    run(k_voellmy + "[output]\nmaps = off\nanimation = off\n", "old");
+    run(k_voellmy + "[output]\nmaps = off\nanimation = off\nreport = off\n", "old");
     const app::ResultReader result(path("old"));
     const std::vector<double> classes = result.map_layer("max_depth").classes;
     for (const std::string name : {"final_depth", "depth@1"})
@@ -98,7 +98,7 @@ TEST_F(ResultTable, NamesAndIdsOfReleaseAreasReachOutlinesSummaryLogReportAndMap
     const auto areas = gis::read_polygons(path("old/extent.gpkg") + "|layer=release", "EPSG:32632", "test");
     EXPECT_EQ(areas.features.at(0).texts.at("name"), name);
     EXPECT_EQ(app::ResultReader(path("old")).map_source().release_names, std::vector<std::string>{name});
-    run(k_voellmy + "[output]\nmaps = off\nanimation = off\nframes = off\n", "reported");
+    run(k_voellmy + k_pages_only, "reported");
     EXPECT_NE(read_text(path("reported/report.html")).find("<td>" + name + "</td>"), std::string::npos);
 }
 

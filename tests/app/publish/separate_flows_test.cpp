@@ -21,7 +21,7 @@ class SeparateFlowsCli : public TinyScene {
                   parts + "]}}]}");
         write("scene.ini",
               "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 1\n[material]\n"
-              "friction-angle = 45\n[time]\nend = 2\n[output]\nanimation = off\nframes = off\n" +
+              "friction-angle = 45\n[time]\nend = 2\n[output]\nanimation = off\nreport = off\nframes = off\n" +
                   more);
     }
     /// A rectangle between columns and rows of the grid, rows counted from the south.
@@ -51,7 +51,7 @@ class SeparateFlowsCli : public TinyScene {
 // m to there, and 1 m of material lies on it.
 TEST_F(SeparateFlowsCli, TwoReleasesFarApartHaveTwoRunOuts) {
     make_scene(cells(4, 12, 4, 4) + "," + cells(50, 12, 4, 2));
-    const Json summary = summary_of_run();
+    const Json summary = summary_of_run({"--set", "output.report=on"});
     ASSERT_EQ(summary["flows"].size(), 2);
     const Json &longest = summary["runout"], &first = summary["flows"][0], &second = summary["flows"][1];
     EXPECT_NEAR(longest["horizontal_m"].get<double>(), 25, 1e-9);

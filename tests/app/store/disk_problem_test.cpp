@@ -158,7 +158,7 @@ TEST_F(RunProblem, ClosedStreamsDoNotStopTheRun) {
 }
 
 TEST_F(RunProblem, AnOlderResultWithChartsIsReplaced) {
-    write_scene("[output]\nmaps = max_depth\nmap-size = 640x480\nanimation = off\nframes = off\n");
+    write_scene("[output]\nmaps = max_depth\nmap-size = 640x480\nanimation = off\nreport = off\nframes = off\n");
     for (int i = 0; i < 2; ++i) {
         succeeded(frana({"run", "scene.ini", "--out", "result", "--overwrite", "--quiet"}));
         EXPECT_TRUE(fs::exists(path("result/charts")));

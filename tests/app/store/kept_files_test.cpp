@@ -18,7 +18,7 @@ const std::string k_foreign = "exists already and was not written by frana",
 class KeptFilesOf : public CheckedScene {
   protected:
     void SetUp() override {
-        write_scene("frame-interval = 1\n[output]\nmaps = off\nanimation = off\n");
+        write_scene("frame-interval = 1\n[output]\nmaps = off\nanimation = off\nreport = off\n");
         ran("result", {"time.end=2"});
     }
     [[nodiscard]] std::map<std::string, std::string> contents() const {

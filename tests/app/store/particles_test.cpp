@@ -19,7 +19,7 @@ class ParticleFiles : public TinyScene {
               "model = structured\n[structured]\nphases = " +
                   phases +
                   "\n[time]\nend = 2\nframe-interval = 1\n"
-                  "[output]\nmaps = off\nanimation = off\nformats = geotiff, particles-gpkg\n");
+                  "[output]\nmaps = off\nanimation = off\nreport = off\nformats = geotiff, particles-gpkg\n");
     }
 };
 
@@ -37,7 +37,8 @@ void expect_on_the_slope(const Points& points) {
 }
 
 TEST_F(ParticleFiles, OfTheFirstModel) {
-    write_scene("frame-interval = 1\n[output]\nmaps = off\nanimation = off\nformats = geotiff, particles-gpkg\n");
+    write_scene(
+        "frame-interval = 1\n[output]\nmaps = off\nanimation = off\nreport = off\nformats = geotiff, particles-gpkg\n");
     ran("result", {"time.end=2"});
     const Points start = points("result/frames/particles_0000.gpkg"), end = points("result/frames/particles_0002.gpkg");
     EXPECT_EQ(start.names, k_common);

@@ -147,7 +147,8 @@ TEST_F(Place, WhoseNameIsTooLongIsRefusedBeforeAFolderIsMade) {
 // Whatever the name of a file of the replaced result: by a link, by a layer in it, in GDAL's syntax.
 // SQLite opens no longer path; the run was computed to its end, and the disk blamed.
 TEST_F(Place, WhosePathIsTooLongForAGeoPackageIsRefusedAtOnce) {
-    write_scene("[output]\nmaps = off\nanimation = off\nframes = on\ncharts = off\nformats = particles-gpkg\n");
+    write_scene(
+        "[output]\nmaps = off\nanimation = off\nreport = off\nframes = on\ncharts = off\nformats = particles-gpkg\n");
     const auto of_length = [&](std::size_t bytes) {
         std::string place = path(std::string(150, 'a') + "/" + std::string(80, 'b') + "/");
         return place + std::string(bytes - place.size(), 'c');

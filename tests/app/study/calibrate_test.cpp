@@ -403,7 +403,8 @@ TEST_F(Calibrate, EveryMeasureIsZeroForTheRunThatWasSurveyed) {
 TEST_F(Calibrate, ChartsAndReportAreDrawn) {
     write("slope.ini", [&] {
         std::string text = read_text(path("slope.ini"));
-        for (const std::string off : {"maps = off\n", "charts = off\n"}) text.erase(text.find(off), off.size());
+        for (const std::string off : {"maps = off\n", "charts = off\n", "report = off\n"})
+            text.erase(text.find(off), off.size());
         return text.insert(text.find("[output]\n") + 9, "map-size = 640x480\nmap-formats = png, svg\n");
     }());
     succeeded(run());

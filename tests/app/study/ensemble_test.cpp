@@ -284,8 +284,7 @@ TEST_F(Ensemble, AReleaseThinnerThanTheTraceIsAWarningOfItsRuns) {
 
 // A single run warns that its front still moved; twelve of them said nothing.
 TEST_F(Ensemble, WhatItsRunsWarnOfReachesEveryPage) {
-    write("scene.ini", read_text(path("scene.ini")) + "report = on\n");
-    write_study("samples = 8\n", "[set]\ntime.end = 0.6\n" + k_two_keys);  // they run on to 6 s
+    write_study("samples = 8\n", "[set]\ntime.end = 0.6\noutput.report = on\n" + k_two_keys);  // they run on to 6 s
     const Outcome outcome = run({"--strict"});
     EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
     const Json summary = parse_json(read_text(path("out/summary.json")));
@@ -362,24 +361,24 @@ TEST_F(Ensemble, RecordsInFilesOfTheirOwnAndInAnotherOrderAreUsed) {
 TEST_F(Ensemble, AnExtendedStudyIsThatOfAllItsMembers) {
     for (const std::string sampling : {"sobol", "random"}) {
         const std::string head = "sampling = " + sampling + "\nsamples = ";
-        write_study(head + "60\n", k_two_keys);
+        write_study(head + "36\n", k_two_keys);
         succeeded(frana({"ensemble", "study.ini", "--out", "whole-" + sampling, "--quiet"}));
-        write_study(head + "16\n", k_two_keys);
+        write_study(head + "10\n", k_two_keys);
         succeeded(run({"--overwrite"}));
-        succeeded(run({"--extend", "20"}));
-        EXPECT_EQ(members().size(), 36U);
-        EXPECT_NE(read_text(path("out/log.txt")).find("computed 20 members"), std::string::npos);
-        succeeded(run({"--extend", "24", "--threads", "1"}));
+        succeeded(run({"--extend", "12"}));
+        EXPECT_EQ(members().size(), 22U);
+        EXPECT_NE(read_text(path("out/log.txt")).find("computed 12 members"), std::string::npos);
+        succeeded(run({"--extend", "14", "--threads", "1"}));
         expect_same("whole-" + sampling, "out");
     }
-    StartedProgram program(folder_.string(), {"ensemble", "study.ini", "--out", "out", "--extend", "300"});
-    EXPECT_TRUE(program.wait_until([&] { return records().size() > 60; }));
+    StartedProgram program(folder_.string(), {"ensemble", "study.ini", "--out", "out", "--extend", "200"});
+    EXPECT_TRUE(program.wait_until([&] { return records().size() > 36; }));
     program.send(SIGTERM);
     ASSERT_EQ(program.wait().exit_code, 128 + SIGTERM);
-    EXPECT_EQ(members().size(), 60U) << "the older result stays until then";
-    refusal_of(run({"--extend", "300"}), {"an interrupted study of it is kept"});
-    succeeded(run({"--extend", "300", "--resume"}));
-    EXPECT_EQ(members().size(), 360U);
+    EXPECT_EQ(members().size(), 36U) << "the older result stays until then";
+    refusal_of(run({"--extend", "200"}), {"an interrupted study of it is kept"});
+    succeeded(run({"--extend", "200", "--resume"}));
+    EXPECT_EQ(members().size(), 236U);
 }
 
 TEST_F(Ensemble, WhatCannotBeExtendedIsRefusedWithTheRemedy) {

@@ -14,7 +14,7 @@ std::map<std::string, std::string> metadata_of(const std::string& raster) {
 }
 
 TEST_F(Ensemble, SaysWhoseFrictionAfterATableItShows) {
-    write_scene(k_numbers_only + "charts = off\n");
+    write_scene(k_pages_only + "charts = off\n");
     const std::string scene = read_text(path("scene.ini"));
     const auto at = scene.find("friction-angle = "), end = scene.find("[time]", at);
     ASSERT_TRUE(at != std::string::npos && end != std::string::npos) << scene;

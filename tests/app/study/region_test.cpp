@@ -268,7 +268,7 @@ TEST_F(Region, FailedSlopesAreListedAndTheRestIsDone) {
     slopes.push_back({"steep", "rare", "300", "2", "77", 40, 60, 30});
     slopes.push_back({"blank", "rare", "300", "null", "0.2", 40, 60, 30});
     write_slopes(slopes);
-    write_region();
+    write_region("[set]\noutput.report = on\n");
     const Outcome check = succeeded(frana({"check", "region.ini"}));
     expect_words(check.out, {"6, of which 3 fail", "3 far", "4 steep", "5 blank", "column THICK", "memory"});
     const Outcome document = frana({"check", "region.ini", "--json"});
@@ -294,10 +294,9 @@ TEST_F(Region, FailedSlopesAreListedAndTheRestIsDone) {
 
 // Twelve creeks were cut after 60 s of 900, exit 0 and no warning. Of a region any slope is in the first line.
 TEST_F(Region, SlopesThatWereCutAreTold) {
-    write("scene.ini", read_text(path("scene.ini")) + "report = on\n");
     write_slopes(three());
     write_polygon("house", {{118, 50}, {128, 50}, {128, 60}, {118, 60}});
-    write_region("[set]\ntime.end = 0.6\noutput.exposure = house.geojson\n");  // they run on to 6 s
+    write_region("[set]\ntime.end = 0.6\noutput.report = on\noutput.exposure = house.geojson\n");  // they run on to 6 s
     succeeded(batch());
     const Json summary = parse_json(read_text(path("out/summary.json")));
     EXPECT_EQ(summary["run_troubles"]["cut"], 3);
@@ -434,9 +433,8 @@ TEST_F(Region, PathsTimesScenariosAreTheirEvents) {
             events.push_back(path);
         }
     write("own.ini", own_scheme("depth > ", "0.3 m", "0.8 m"));
-    write("scene.ini",
-          std::regex_replace(read_text(path("scene.ini")), std::regex("thickness = 1\n"), "") +
-              "report = on\nformats = geotiff, shp, kmz, dxf\nexposure = houses.geojson\n[hazard]\nscheme = own.ini\n");
+    write("scene.ini", std::regex_replace(read_text(path("scene.ini")), std::regex("thickness = 1\n"), "") +
+                           "formats = geotiff, shp, kmz, dxf\nexposure = houses.geojson\n[hazard]\nscheme = own.ini\n");
     write_houses();
     write_slopes(events);
     write_region("return-period = YEARS\n");
@@ -446,7 +444,8 @@ TEST_F(Region, PathsTimesScenariosAreTheirEvents) {
         one.thickness = std::string(R"(0, "D30": )") + (one.name == "c" ? "null" : "1") + R"(, "D100": 1.5, "D300": 2)";
     write_slopes(paths);
     write("region.ini",
-          "[region]\nscene = scene.ini\nname = NAME\n[columns]\nmaterial.friction-coefficient = MU\n"
+          "[region]\nscene = scene.ini\nname = NAME\n[set]\noutput.report = on\n[columns]\n"
+          "material.friction-coefficient = MU\n"
           "[scenario 300]\nrelease.thickness = D300\n[scenario 30]\nrelease.thickness = D30\n"
           "[scenario 100]\nrelease.thickness = D100\n");
     succeeded(batch());
@@ -509,9 +508,9 @@ TEST_F(Region, DegreeOfHazardOverTheScenarios) {
     write_slopes(three());
     write("own.ini", own_scheme("depth > ", "0.3 m", "0.8 m"));
     write("scene.ini", read_text(path("scene.ini")) +
-                           "report = on\nexposure = houses.geojson\n[hazard]\nscheme = "
+                           "exposure = houses.geojson\n[hazard]\nscheme = "
                            "own.ini\n");
-    write_region("return-period = YEARS\n");
+    write_region("return-period = YEARS\n[set]\noutput.report = on\n");
     write_houses(true);
     succeeded(batch());
     expect_objects_as_maps({"often", "rare"});
