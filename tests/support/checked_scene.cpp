@@ -21,18 +21,16 @@ Checked CheckedScene::check(const Sets& sets, const std::string& scene) const {
     app::RunLog log(true);
     try {
         const SceneReading reading = read_scene(path(scene), sets, app::share_directory());
-        app::Prepared prepared = app::prepare(reading, log);
+        app::Prepared prepared = app::prepare(reading, {log, checked.warnings});
         checked.warnings = prepared.scene.warnings;
-        app::doubt_ground(reading, prepared, log);
-        app::warn_of_release(prepared.scene, log);
-        if (const auto& exposed = prepared.extra.exposure)
-            app::warn_of_unknown_exposure(*exposed, prepared.scene.grid.bounds(), &prepared.scene.terrain, log);
+        prepared.scene.warnings += app::doubt_ground(reading, prepared);
         checked.warnings = prepared.scene.warnings;
+        checked.warnings += app::doubt_release(prepared.scene);
+        checked.warnings += app::doubt_exposure(prepared);
         checked.prepared = std::move(prepared);
     } catch (const Error& error) {
         checked.problems = error.problems();
     }
-    checked.warnings += log.take_warnings();
     return checked;
 }
 

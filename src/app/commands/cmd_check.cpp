@@ -306,13 +306,15 @@ int cmd_check(const Options& values) {
     const std::vector<std::string> set = text_options(values, "set");
     SceneReading reading = read_scene(file, set, share_directory());
     reading.session = session;
-    warn_of_changed_inputs(reading, log);
+    Warnings warnings;
+    const Findings found{log, warnings};
+    found.warn_all(changed_inputs(reading));
     // Whether an existing result may be replaced is checked when the scene is run.
     const auto out = text_option(values, "out");
     const std::string directory = out.value_or(output_directory(reading.scene));
     const std::optional<Problem> place_problem = check_result_directory(
         directory, Older::unknown, {}, out ? "--out" : reading.where("output.directory"), reading.problems);
-    Prepared prepared = prepare(reading, place_problem, log);
+    Prepared prepared = prepare(reading, place_problem, found);
     // The libraries that draw are loaded by a run alone, unless their addresses count: where the shell limits these.
     const bool loads = std::isfinite(address_room());
     load_drawing(prepared.spec, loads ? Loading::now : Loading::later);
@@ -330,18 +332,17 @@ int cmd_check(const Options& values) {
         print_run(prepared, expected, trial, schemes, threads, directory);
         std::fflush(stdout);
     }
-    doubt_ground(reading, prepared, log);
-    warn_of_release(prepared.scene, log);
-    if (trial && trial->path) log.warn_all(path_ground_warnings(*trial->path));
+    found.warn_all(doubt_ground(reading, prepared));
+    found.warn_all(doubt_release(prepared.scene));
+    if (trial && trial->path) found.warn_all(path_ground_warnings(*trial->path));
     constexpr double k_left = 0.01;  // coarse cells lose a little more at edges
     if (trial && trial->meets_gap)
-        log.warn(worded("the trial reached cells without elevation: use a larger DTM or terrain.nodata-policy"));
+        found.warn(worded("the trial reached cells without elevation: use a larger DTM or terrain.nodata-policy"));
     if (trial && trial->left > k_left)
-        log.warn(worded("{1} % of the volume leaves the DTM: use a larger DTM",
-                        {numeral(number_text(100 * trial->left, 2))}));
-    if (const auto& exposed = prepared.extra.exposure)
-        warn_of_unknown_exposure(*exposed, prepared.scene.grid.bounds(), &prepared.scene.terrain, log);
-    prepared.scene.warnings += log.take_warnings();
+        found.warn(worded("{1} % of the volume leaves the DTM: use a larger DTM",
+                          {numeral(number_text(100 * trial->left, 2))}));
+    found.warn_all(doubt_exposure(prepared));
+    prepared.scene.warnings += warnings;
     if (json) print_document(check_document({prepared, expected, trial, memory, schemes, threads, directory}));
     return static_cast<int>(ExitCode::done);
 }

@@ -160,15 +160,16 @@ Simulated read_simulated(const std::string& operand, const std::optional<double>
 /// @param released outlines of the release, empty if unknown
 /// @param simulated the survey's CRS and cells are its
 Survey read_survey(const std::optional<std::string>& scar, const std::optional<std::string>& deposit,
-                   const MultiPolygon& released, const Raster& simulated, RunLog& log) {
+                   const MultiPolygon& released, const Raster& simulated, Findings found) {
     const GridSpec& grid = simulated.grid;
     Survey survey;
     if (grid.crs_wkt.empty())
-        log.warn(worded("the raster has no CRS: the survey's coordinates are used without transformation"));
-    if (scar) add_surveyed(*scar, grid.crs_wkt, "--observed", log, survey);
+        found.warn(worded("the raster has no CRS: the survey's coordinates are used without transformation"));
+    if (scar) add_surveyed(*scar, grid.crs_wkt, "--observed", found, survey);
     if (!survey.scar.empty() && !released.empty())
-        question_outline(released, survey.scar, padded_to(simulated, bounds(survey.scar), k_no_data).grid, *scar, log);
-    if (deposit) add_deposit(*deposit, grid, "--deposit", log, survey);
+        question_outline(released, survey.scar, padded_to(simulated, bounds(survey.scar), k_no_data).grid, *scar,
+                         found);
+    if (deposit) add_deposit(*deposit, grid, "--deposit", found, survey);
     return survey;
 }
 
@@ -191,8 +192,9 @@ std::string make_comparison_folder(const std::string& folder) {
 }
 
 /// Compares and writes to a folder, which is made only after the values are computed.
-Comparison compare_into(Simulated& simulated, const std::string& folder, RunLog& log) {
-    Comparison comparison = compare_with_survey(simulated.input, log);
+Comparison compare_into(Simulated& simulated, const std::string& folder, Findings found) {
+    Comparison comparison = compare_with_survey(simulated.input);
+    found.warn_all(comparison.warnings);
     make_comparison_folder(folder);
     begin_own(folder, comparison.statistics ? comparison_files(folder)
                                             : std::vector<std::string>{comparison_files(folder).front()});
@@ -203,7 +205,7 @@ Comparison compare_into(Simulated& simulated, const std::string& folder, RunLog&
                             {{"scar", {{{simulated.input.survey.scar, {}, {}}, {}, {}}}}}, simulated.input.words);
     if (comparison.statistics) {
         simulated.source.scar = simulated.input.survey.scar;
-        is_drawn("comparison.png", log, [&] {
+        is_drawn("comparison.png", found, [&] {
             LayerDrawer drawer(simulated.source);
             draw_comparison(comparison, drawer, folder);
         });
@@ -255,11 +257,13 @@ int cmd_compare(const Options& values) {
     check_outputs(pair, deposit);
     if (values.count("overwrite") == 0) refuse_other_survey(pair, deposit.value_or(""));
     RunLog log(false);
+    Warnings warnings;
+    const Findings found{log, warnings};
     Simulated simulated = read_simulated(operand, threshold);
     if (size) simulated.source.style.size = *size;
     refuse_too_large(simulated, size ? "--size" : "output.map-size");
-    simulated.input.survey = read_survey(scar, deposit, simulated.source.release, simulated.input.depth, log);
-    const Comparison comparison = compare_into(simulated, pair.folder, log);
+    simulated.input.survey = read_survey(scar, deposit, simulated.source.release, simulated.input.depth, found);
+    const Comparison comparison = compare_into(simulated, pair.folder, found);
     record_files(files_of(pair, simulated.source.style));
     renew_project(pair.folder);
     const std::vector<std::string> files = existing(files_of(pair, simulated.source.style));
@@ -268,7 +272,7 @@ int cmd_compare(const Options& values) {
         document["folder"] = pair.folder;
         document["files"] = files;
         document["comparison"] = Json::parse(comparison_json(comparison, simulated.input));
-        document["warnings"] = texts_of(log.take_warnings());
+        document["warnings"] = texts_of(warnings);
         print_document(document);
     } else {
         print_table(comparison_table(comparison, simulated.input, output_width()), files);

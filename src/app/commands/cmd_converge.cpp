@@ -464,8 +464,10 @@ int cmd_converge(const Options& values) {
     std::vector<Level>& levels = schemes.front().levels;
 
     RunLog log(quiet);
+    Warnings warnings;
+    const Findings found{log, warnings};
     for (const SchemeLevels& one : schemes)
-        for (const Level& level : one.levels) log.warn_all(level.warnings);
+        for (const Level& level : one.levels) found.warn_all(level.warnings);
     begin_own(folder.string(), files_of(folder));
     const Words words = words_of(spec);
     write_uncertainty((folder / k_uncertainty).string() + ".tif", levels, spec, words);
@@ -474,7 +476,7 @@ int cmd_converge(const Options& values) {
     write_text_file((folder / k_table).string(), csv_of(rows));
     write_error_estimate(folder.string(), spec, text);
     write_text_file((folder / k_study).string(), study_json(schemes, spec));
-    is_drawn(k_chart, log, [&] { render::write_png((folder / k_chart).string(), chart_of(schemes, words)); });
+    is_drawn(k_chart, found, [&] { render::write_png((folder / k_chart).string(), chart_of(schemes, words)); });
     record_files(files_of(folder));
     if (values.count("json") > 0) {
         Json document = document_of("converge");

@@ -98,14 +98,14 @@ StartRequest read_start_request(const Options& values, Problems& problems) {
 }
 
 /// Reads the rasters. Throws Error(input), also for values that are not plausible.
-void read_rasters(StartRequest& request, const SceneReading& reading, const TerrainInput& ground, RunLog& log) {
+void read_rasters(StartRequest& request, const SceneReading& reading, const TerrainInput& ground, Findings found) {
     Problems problems;
     std::vector<UsedFile> files;
     for (std::size_t i = 0; i <= k_weight; ++i) {
         const StartQuantity& row = k_start_quantities[i];
         if (request.given[i].kind != SourceSpec::Kind::raster) continue;
         const std::string file = absolute_path(request.given[i].name, fs::current_path().string());
-        request.rasters[i] = read_zone_raster(reading, &ground, row.option, file, false, files, log, problems);
+        request.rasters[i] = read_zone_raster(reading, &ground, row.option, file, false, files, found, problems);
         if (!request.rasters[i]) continue;
         std::optional<double> wrong;
         request.rasters[i]->values.for_each_stored([&](std::size_t, double value) {
@@ -179,9 +179,11 @@ int cmd_release(const Options& values) {
             problems.add({"exists already", "--out", file, "", "Choose another name, or add --overwrite"});
     refuse_inputs(files, inputs, "--out", problems);
     RunLog log(false);
-    const auto ground = prepare_terrain(reading, log, problems);
+    Warnings warnings;
+    const Findings found{log, warnings};
+    const auto ground = prepare_terrain(reading, found, problems);
     problems.throw_if_any();
-    read_rasters(request, reading, *ground, log);
+    read_rasters(request, reading, *ground, found);
     const StartingGround limits{request.given[k_from].number, request.given[k_to].number,
                                 request.given[k_convexity].number};
     const SlopeScreening screening = screen_slopes(ground->terrain, limits, [&](std::size_t cell) {

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "app/commands/accuracy_search.h"
 #include "app/commands/command_line.h"
@@ -49,15 +50,15 @@ ExitCode exit_code(const RunResult& result, const PictureOutcome& pictures) {
 }
 
 RunOptions run_options(int threads, FrameWriter* frames, bool with_particles, ProgressReporter& progress,
-                       Checkpoints& checkpoints, RunLog& log) {
+                       Checkpoints& checkpoints, Findings found) {
     RunOptions run_with;
     run_with.threads = threads;
     run_with.particles_in_frames = with_particles;
     if (frames != nullptr) run_with.on_frame = [frames](Frame frame) { frames->add(std::move(frame)); };
     run_with.on_progress = [&progress](const Progress& now) { progress.show(now); };
-    run_with.on_problem = [&progress, &log](const RunProblem& run_problem) {
+    run_with.on_problem = [&progress, found](const RunProblem& run_problem) {
         progress.finish();
-        log.warn(worded("{1}: the run stops here", {describe(run_problem)}));
+        found.warn(worded("{1}: the run stops here", {describe(run_problem)}));
     };
     run_with.stop_requested = [frames] { return stop_signal() != 0 || (frames != nullptr && frames->failed()); };
     run_with.after_step = [&checkpoints](const Progress& now, const SaveState& state) {
@@ -76,14 +77,14 @@ void refuse_to_discard(const InterruptedRun& interrupted, const std::string& tar
                   "--resume continues it; --overwrite removes it and starts anew"});
 }
 
-void log_resuming(const CheckpointFile& from, RunLog& log) {
+void log_resuming(const CheckpointFile& from, Findings found) {
     const CheckpointHead& head = from.head();
-    log.continue_from(head.log);
-    log.info("resuming from " + number_text(head.time, 6) + " s, step " + std::to_string(head.step) + ": " +
-             from.path());
+    found.log.continue_from(head.log);
+    found.log.info("resuming from " + number_text(head.time, 6) + " s, step " + std::to_string(head.step) + ": " +
+                   from.path());
     if (head.build != checkpoint_build()) {
-        log.warn(worded("checkpoint of another build ({1}; this is {2}): rounding can differ",
-                        {head.build, std::string(checkpoint_build())}));
+        found.warn(worded("checkpoint of another build ({1}; this is {2}): rounding can differ",
+                          {head.build, std::string(checkpoint_build())}));
     }
 }
 
@@ -167,7 +168,8 @@ void log_dry_gauges(const RunResult& result, const Scene& scene, RunLog& log) {
     if (!dry.empty()) log.info("gauges not reached: " + joined(dry, ", "));
 }
 
-void log_run(const RunResult& result, double end, RunLog& log) {
+void log_run(const RunResult& result, double end, Findings found) {
+    RunLog& log = found.log;
     log.info("computed " + number_text(result.simulated_seconds, 4) + " s in " + std::to_string(result.steps) +
              " steps and " + number_text(result.engine_seconds, 3) +
              " s of wall time: " + describe(result.stop_reason));
@@ -188,13 +190,14 @@ void log_run(const RunResult& result, double end, RunLog& log) {
                  " node-steps; there it had no friction");
     }
     if (result.stop_reason == StopReason::requested) {
-        log.warn(worded("stopped at {1} s of {2} s: maps incomplete; --resume continues it",
-                        {numeral(number_text(result.simulated_seconds, 4)), numeral(number_text(end, 4))}));
+        found.warn(worded("stopped at {1} s of {2} s: maps incomplete; --resume continues it",
+                          {numeral(number_text(result.simulated_seconds, 4)), numeral(number_text(end, 4))}));
     }
 }
 
 // Computes and writes; returns the exit code.
-int run_into(const RunInput& input, CheckpointFile* from, ResultDirectory& directory, RunLog& log) {
+int run_into(const RunInput& input, CheckpointFile* from, ResultDirectory& directory, Findings found) {
+    RunLog& log = found.log;
     const Prepared& prepared = input.prepared;
     const bool particles = writes_particles(prepared.spec.output);
     FrameWriter frames(directory.path(k_frame_folder), provenance(prepared), particles,
@@ -206,27 +209,28 @@ int run_into(const RunInput& input, CheckpointFile* from, ResultDirectory& direc
     FrameWriter* const written_frames = has_frames ? &frames : nullptr;
     Checkpoints checkpoints(directory.folder(), prepared.spec.output.checkpoint_interval, prepared, written_frames,
                             input.since_start, input.earlier_seconds,
-                            input.accuracy ? record_text(*input.accuracy) : "", log);
+                            input.accuracy ? record_text(*input.accuracy) : "", found);
     ProgressReporter progress(input.quiet, input.json_progress);
-    RunOptions options = run_options(input.threads, written_frames, particles, progress, checkpoints, log);
+    RunOptions options = run_options(input.threads, written_frames, particles, progress, checkpoints, found);
     if (from != nullptr) options.saved = &from->state();
     const RunResult result = run(prepared.scene, options);
     progress.finish();
     frames.require_good();
-    log_run(result, prepared.scene.time.end, log);
+    log_run(result, prepared.scene.time.end, found);
     log_dry_gauges(result, prepared.scene, log);
 
     const std::optional<AccuracyRecord> accuracy = completed_record(input.accuracy, prepared, result);
-    const PictureOutcome pictures = publish({prepared, result, input.threads, input.input_seconds,
-                                             input.earlier_seconds, input.since_start, accuracy ? &*accuracy : nullptr},
-                                            directory, frames, log);
+    const PictureOutcome pictures =
+        publish({prepared, result, input.threads, input.input_seconds, input.earlier_seconds, input.since_start,
+                 accuracy ? &*accuracy : nullptr, std::exchange(found.warnings, {})},
+                directory, frames, log);
     // An exit code other than 0 keeps everything that --resume needs to complete the run.
     const bool stopped = result.stop_reason == StopReason::requested || pictures.was_stopped;
     const int code =
         stopped ? static_cast<int>(ExitCode::signal) + stop_signal() : static_cast<int>(exit_code(result, pictures));
     const bool finished = code == static_cast<int>(ExitCode::done);
-    directory.publish({provenance(prepared).at("SCENE_HASH"), result.simulated_seconds, finished}, log);
-    if (finished) remove_working_files(directory.target(), !prepared.spec.output.frames, log);
+    directory.publish({provenance(prepared).at("SCENE_HASH"), result.simulated_seconds, finished}, found);
+    if (finished) remove_working_files(directory.target(), !prepared.spec.output.frames, found);
     // The estimate of a study applies to the scene's own cells.
     if (const auto estimate = read_error_estimate(directory.target(), prepared.spec); estimate && !input.accuracy)
         log.info("error estimate of `frana converge`:\n" + *estimate);
@@ -285,7 +289,8 @@ void require_complete(const Prepared& prepared, const std::string& directory) {
                             directory, "", "", "Restore them, or compute the scene again with --overwrite"});
 }
 
-int run_scene(const Options& values, std::string& target, RunLog& log) {
+/// @param later what its summary does not say
+int run_scene(const Options& values, std::string& target, RunLog& log, Warnings& later) {
     const Stopwatch since_start;
     const int threads = thread_count(values);
     const bool quiet = values.count("quiet") > 0;
@@ -296,7 +301,8 @@ int run_scene(const Options& values, std::string& target, RunLog& log) {
     require_scene(values["operand"].as<std::string>());
     SceneReading reading = read_scene(values["operand"].as<std::string>(), overrides(values), share_directory());
     reading.session = session;
-    warn_of_changed_inputs(reading, log);
+    const Findings found{log, later};
+    found.warn_all(changed_inputs(reading));
     const auto out = text_option(values, "out");
     const std::string place = out.value_or(output_directory(reading.scene));
     target = result_path(place);
@@ -311,14 +317,13 @@ int run_scene(const Options& values, std::string& target, RunLog& log) {
     if (!resume && !overwrite) refuse_to_discard(interrupted, target, reading.problems);
     log.note(std::string(k_program) + " " + k_version + ", scene " + reading.scene.file + ", " +
              std::to_string(threads) + " threads");
-    Prepared prepared = prepare(reading, place_problem, log);
-    doubt_ground(reading, prepared, log);
-    if (const auto& exposed = prepared.extra.exposure)
-        warn_of_unknown_exposure(*exposed, prepared.scene.grid.bounds(), &prepared.scene.terrain, log);
+    Prepared prepared = prepare(reading, place_problem, found);
+    prepared.scene.warnings += log.tell(doubt_ground(reading, prepared));
+    found.warn_all(doubt_exposure(prepared));
     prepared.result_folder = target;
     if (is_complete) {
         require_complete(prepared, target);
-        remove_working_files(target, !prepared.spec.output.frames, log);  // a run was killed before it did this
+        remove_working_files(target, !prepared.spec.output.frames, found);  // a run was killed before it did this
         log.info("the result is complete: " + target);
         return static_cast<int>(ExitCode::done);
     }
@@ -330,7 +335,7 @@ int run_scene(const Options& values, std::string& target, RunLog& log) {
     const std::unique_ptr<CheckpointFile> from =
         resume && interrupted.any() ? interrupted.choose(scene_identity(prepared), log) : nullptr;
     if (from) {
-        log_resuming(*from, log);
+        log_resuming(*from, found);
     } else if (resume) {
         log.info("there is no checkpoint: starting from the beginning");
     }
@@ -353,14 +358,14 @@ int run_scene(const Options& values, std::string& target, RunLog& log) {
     try {
         return run_into({prepared, threads, quiet, json_progress, values.count("strict") > 0, input_seconds, earlier,
                          since_start, accuracy},
-                        from.get(), directory, log);
+                        from.get(), directory, found);
     } catch (const Error& error) {
         explain_problem(error, directory.folder());
     }
 }
 
 /// What --json says of a run, from the files of its result.
-void print_run_document(const std::string& target, int code, RunLog& log) {
+void print_run_document(const std::string& target, int code, const Warnings& later) {
     Json document = document_of("run");
     document["exit_code"] = code;
     document["result"] = target;
@@ -368,7 +373,7 @@ void print_run_document(const std::string& target, int code, RunLog& log) {
     document["finished"] = code == static_cast<int>(ExitCode::done);
     document["summary"] = read_json_file((std::filesystem::path(target) / k_summary_file).string()).value_or(Json());
     document["warnings"] = document["summary"].is_object() ? document["summary"]["warnings"] : Json::array();
-    for (const std::string& later : texts_of(log.take_warnings())) document["warnings"].push_back(later);
+    for (const std::string& text : texts_of(later)) document["warnings"].push_back(text);
     document["files"] = Json::array();
     if (manifest)
         for (const auto& [name, bytes] : manifest->files) document["files"].push_back(name);
@@ -377,9 +382,10 @@ void print_run_document(const std::string& target, int code, RunLog& log) {
 
 int cmd_run(const Options& values) {
     RunLog log(values.count("quiet") > 0);
+    Warnings later;
     std::string target;
-    const int code = run_scene(values, target, log);
-    if (values.count("json") > 0) print_run_document(target, code, log);
+    const int code = run_scene(values, target, log, later);
+    if (values.count("json") > 0) print_run_document(target, code, later);
     return code;
 }
 

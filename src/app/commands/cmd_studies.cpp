@@ -154,8 +154,9 @@ bool is_complete(const std::string& identity, const std::string& target) {
 int publish_result(const std::string& identity, const study::StudyOutcome& outcome, bool strict,
                    ResultDirectory& directory, RunLog& log) {
     const bool refused = strict && outcome.has_troubles;
-    directory.publish({text_hash(identity), 0, true}, log);
-    remove_working_files(directory.target(), false, log);
+    Warnings told;
+    directory.publish({text_hash(identity), 0, true}, {log, told});
+    remove_working_files(directory.target(), false, {log, told});
     log.info("result in " + directory.target());
     if (!refused && !outcome.too_many_failed) return static_cast<int>(ExitCode::done);
     log.print_deferred_warnings();
@@ -259,7 +260,8 @@ std::vector<std::string> files_of(const study::StudyInput& texts) {
 
 study::StudyInput prepared(study::StudyInput texts, const std::optional<Problem>& place, RunLog& log) {
     study::StudyInput input = study::prepare_study(std::move(texts), place, log);
-    if (!input.spec().is_calibration()) study::warn_of_unknown_exposure(input, log);
+    if (!input.spec().is_calibration())
+        input.warnings += log.tell(doubt_exposure(input.base, !input.reading.study.region));
     return input;
 }
 
@@ -331,7 +333,7 @@ int run_study(study::StudyKind kind, const Options& values) {
     const StudyWords words = words_of(kind);
     if (may_be_complete && is_complete(input.identity, target)) {
         log.info(std::string("the ") + words.name + " is complete: " + target);
-        remove_working_files(target, false, log);
+        remove_working_files(target, false, {log, input.warnings});
         return static_cast<int>(ExitCode::done);
     }
     for (const study::StudyInput* one : input.studies()) {

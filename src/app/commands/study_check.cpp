@@ -53,11 +53,12 @@ SlopePlan plan_of(const study::StudyInput& input, std::size_t member) {
     const auto note = [&](const Error& error) { plan.problem = describe(error.problems().front()); };
     attempt(note, [&] {
         RunLog silent(true);
+        Warnings unused;
         SceneReading reading = input.member(input.first_member(member));
         reading.session.reads = std::make_shared<RememberedReads>();
         Problems problems;
         std::vector<UsedFile> files;
-        prepare_release(reading, nullptr, files, silent, problems);  // its own columns
+        prepare_release(reading, nullptr, files, {silent, unused}, problems);  // its own columns
         problems.throw_if_any();
     });
     return plan;
@@ -398,14 +399,14 @@ Json check_study(const std::string& path, study::StudyKind kind, const std::opti
         if (!study.is_calibration()) print_scene(input);
         print_end(cost, threads, directory);
     }
-    Warnings warnings;
+    Warnings warnings, later = input.warnings;
     for (const study::StudyInput* one : input.studies()) {
-        warn_of_release(one->base.scene, log);
-        if (!study.is_calibration()) study::warn_of_unknown_exposure(*one, log);
+        later += log.tell(doubt_release(one->base.scene));
+        if (!study.is_calibration()) later += log.tell(doubt_exposure(one->base, !one->reading.study.region));
         warnings += one->base.scene.warnings;
     }
     Json json = document_of("check");
-    json["warnings"] = texts_of(warnings += log.take_warnings());
+    json["warnings"] = texts_of(warnings += later);
     json["study"] = study.file;
     json["members"] = study.is_calibration() ? static_cast<std::size_t>(study.samples) : input.members();
     if (study.is_calibration()) {

@@ -80,10 +80,11 @@ PathRunout path_runout(const ComparisonInput& input, const ComparedFlow& flow) {
     return {runout_along(path, flow.trace), runout_along(path, flow.observed)};
 }
 
-void compare_run_outs(const ComparisonInput& input, const Raster& observed, RunLog& log, Comparison& comparison) {
+void compare_run_outs(const ComparisonInput& input, const Raster& observed, Comparison& comparison) {
     if (!input.bed || !input.release) return;
     if (!observed.grid.same_cells(input.bed->grid)) {
-        log.warn(worded("survey beyond the rasters: no run-out difference; set output.extent = map"));
+        comparison.warnings.push_back(
+            worded("survey beyond the rasters: no run-out difference; set output.extent = map"));
         return;
     }
     const ComparedFlow flow = compared_flow(input, observed);
@@ -109,12 +110,13 @@ FrontComparison compare_front(const gis::NamedLine& front, const LineSet& outlin
     return result;
 }
 
-void compare_fronts_and_tips(const ComparisonInput& input, RunLog& log, Comparison& comparison) {
+void compare_fronts_and_tips(const ComparisonInput& input, Comparison& comparison) {
     const Survey& survey = input.survey;
     if (survey.fronts.empty() && survey.tips.empty()) return;
     const MultiPolygon trace = gis::polygonise(trace_mask(input.depth, input.threshold));
     if (trace.empty()) {
-        log.warn(worded("nothing is deeper than {1} m: no front to compare", {numeral(number_text(input.threshold))}));
+        comparison.warnings.push_back(
+            worded("nothing is deeper than {1} m: no front to compare", {numeral(number_text(input.threshold))}));
         return;
     }
     const LineSet outline(trace);
@@ -125,23 +127,23 @@ void compare_fronts_and_tips(const ComparisonInput& input, RunLog& log, Comparis
         comparison.tips.push_back({tip.name, outline.distance(tip.place) * (inside_trace(tip.place) ? 1 : -1)});
 }
 
-void compare_area(const ComparisonInput& input, const Raster& depth, RunLog& log, Comparison& comparison) {
+void compare_area(const ComparisonInput& input, const Raster& depth, Comparison& comparison) {
     const Raster observed = gis::coverage(input.survey.scar, depth.grid);
     comparison.statistics = compare(depth, observed, input.threshold);
     comparison.curve = score_curve(depth, observed);
     comparison.classes = agreement(depth, observed, input.threshold);
-    compare_run_outs(input, observed, log, comparison);
+    compare_run_outs(input, observed, comparison);
     const MultiPolygon trace = gis::polygonise(trace_mask(input.depth, input.threshold));
     if (!trace.empty()) {
         comparison.outline = distance_between(LineSet(trace), LineSet(input.survey.scar), input.depth.grid.cell_size);
     }
 }
 
-void compare_deposits(const ComparisonInput& input, const Bounds& box, RunLog& log, Comparison& comparison) {
+void compare_deposits(const ComparisonInput& input, const Bounds& box, Comparison& comparison) {
     const Survey& survey = input.survey;
     if (survey.deposit.empty() && !survey.elevation_change) return;
     if (!(survey.deposit.empty() ? input.elevation_change : input.final_depth)) {
-        log.warn(worded("no depth at the end to compare with the deposit"));
+        comparison.warnings.push_back(worded("no depth at the end to compare with the deposit"));
         return;
     }
     if (!survey.deposit.empty()) {
@@ -156,17 +158,17 @@ void compare_deposits(const ComparisonInput& input, const Bounds& box, RunLog& l
 
 }  // namespace
 
-Comparison compare_with_survey(const ComparisonInput& input, RunLog& log) {
+Comparison compare_with_survey(const ComparisonInput& input) {
     Comparison comparison;
     const Bounds box = input.survey.box().value_or(input.depth.grid.bounds());
     if (!input.survey.scar.empty()) {
         const Raster depth = padded_to(input.depth, bounds(input.survey.scar), k_no_data);
         if (!depth.grid.same_cells(input.depth.grid))
-            log.warn(worded("survey beyond the rasters: its part outside counts as missed"));
-        compare_area(input, depth, log, comparison);
+            comparison.warnings.push_back(worded("survey beyond the rasters: its part outside counts as missed"));
+        compare_area(input, depth, comparison);
     }
-    compare_fronts_and_tips(input, log, comparison);
-    compare_deposits(input, box, log, comparison);
+    compare_fronts_and_tips(input, comparison);
+    compare_deposits(input, box, comparison);
     return comparison;
 }
 

@@ -60,12 +60,13 @@ struct Comparison {
     std::vector<TipComparison> tips;
     std::optional<ComparisonStatistics> deposit_overlap;
     std::optional<DepositScores> deposit_depth;
-    Raster classes;  ///< values of Agreement; no cells without a surveyed area
+    Warnings warnings{};  ///< what is not compared
+    Raster classes;       ///< values of Agreement; no cells without a surveyed area
 };
 
 /// Compares a depth with everything surveyed. Surveyed area outside the depth's grid counts as missed.
 /// share/doc/scores.md has the formulas.
-Comparison compare_with_survey(const ComparisonInput& input, RunLog& log);
+Comparison compare_with_survey(const ComparisonInput& input);
 
 std::string comparison_json(const Comparison& comparison, const ComparisonInput& input);
 

@@ -61,7 +61,7 @@ void check_ground(const SceneReading& reading, const TerrainInput& ground, const
                   "", "Repair the DTM, change the perimeter, or set terrain.nodata-policy = fill to interpolate"});
 }
 
-void check_thickness_raster(const SceneReading& reading, const Raster& thickness, const Raster& cover, RunLog& log,
+void check_thickness_raster(const SceneReading& reading, const Raster& thickness, const Raster& cover, Findings found,
                             Problems& problems) {
     const Place where = reading.where("release.thickness");
     const CellList negative = cells_where(cover, [&](std::size_t i) { return thickness.values[i] < 0; });
@@ -80,14 +80,14 @@ void check_thickness_raster(const SceneReading& reading, const Raster& thickness
         problems.add({"nothing is released: the thickness raster is nowhere positive inside the perimeter", where, "",
                       "", "Check the raster's position and coordinate reference system"});
     } else if (empty.count > 0) {
-        log.warn(worded("no thickness on part of the perimeter, nothing released: {1}", {cells_of(empty)}));
+        found.warn(worded("no thickness on part of the perimeter, nothing released: {1}", {cells_of(empty)}));
     }
 }
 
 /// A DTM of before the failure contains the release, one of after does not: the other choice would lay the mass on top
 /// of itself, or dig it out of the ground that it has left.
 void check_difference(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release,
-                      const Raster& cover, RunLog& log, Problems& problems) {
+                      const Raster& cover, Findings found, Problems& problems) {
     constexpr double k_most_doubt = 0.25;
     if (!release.before || release.areas.empty() || !release.areas.front().thickness_raster) return;
     // How far the ground is from "after" towards "before", over the mass: 1 before, 0 after.
@@ -113,8 +113,8 @@ void check_difference(const SceneReading& reading, const TerrainInput& ground, c
         problems.add({"would dig the release out of ground that it has left: the DTM is that of after the failure",
                       where, "on", "off", "Set it to off, or take the DTM of before the failure as terrain.dtm"});
     } else if (std::abs(fraction - (contains ? 1 : 0)) > k_most_doubt) {
-        log.warn(worded("DTM {1} % from after to before failure: check position and datum",
-                        {numeral(number_text(100 * fraction, 3))}));
+        found.warn(worded("DTM {1} % from after to before failure: check position and datum",
+                          {numeral(number_text(100 * fraction, 3))}));
     }
 }
 
@@ -133,23 +133,23 @@ std::vector<const ReleaseArea*> different_rasters(const SceneReading& reading, c
 constexpr double k_thick = 30, k_of_width = 0.25, k_thick_mean = 20, k_mean_of_width = 0.1;
 
 /// Warns of a raster that is unusually thick for its width.
-void question_raster(std::vector<double> thicknesses, double width, RunLog& log) {
+void question_raster(std::vector<double> thicknesses, double width, Findings found) {
     constexpr double k_over_median = 20;  // part of a rim of values that mean no data, also where a volume scales all
     if (thicknesses.empty()) return;
     const double greatest = *std::max_element(thicknesses.begin(), thicknesses.end()),
                  median = percentile(std::move(thicknesses), 0.5);
     if (greatest > k_over_median * median)
-        log.warn(worded("release up to {1} m thick, median {2} m: declare nodata",
-                        {numeral(number_text(greatest, 3)), numeral(number_text(median, 3))}));
+        found.warn(worded("release up to {1} m thick, median {2} m: declare nodata",
+                          {numeral(number_text(greatest, 3)), numeral(number_text(median, 3))}));
     if (!(greatest > std::max(k_thick, k_of_width * width))) return;
     const bool is_mark = std::abs(greatest - 255) < 1 || std::abs(greatest - 999) < 1;  // of no data
-    log.warn(worded(is_mark ? worded("release up to {1} m thick: declare {1} as nodata")
-                            : worded("release up to {1} m thick, {2} m wide: in cm?"),
-                    {numeral(number_text(greatest, 3)), numeral(number_text(width, 3))}));
+    found.warn(worded(is_mark ? worded("release up to {1} m thick: declare {1} as nodata")
+                              : worded("release up to {1} m thick, {2} m wide: in cm?"),
+                      {numeral(number_text(greatest, 3)), numeral(number_text(width, 3))}));
 }
 
 /// The same of the first area of one thickness; it may be the elevation of the ground there.
-void question_mean(const ReleaseInput& release, const TerrainInput& ground, RunLog& log) {
+void question_mean(const ReleaseInput& release, const TerrainInput& ground, Findings found) {
     for (const ReleaseArea& one : release.areas) {
         const double width = std::sqrt(area(one.outline)), thickness = one.thickness;
         if (one.thickness_raster || one.volume || !(thickness > std::max(k_thick_mean, k_mean_of_width * width)))
@@ -162,16 +162,16 @@ void question_mean(const ReleaseInput& release, const TerrainInput& ground, RunL
                          });
         const bool is_elevation = thickness >= least && thickness <= greatest;
         const bool is_mm = thickness / 100 > k_mean_of_width * width;
-        log.warn(worded(is_elevation ? worded("release {1} m thick: that is the ground's elevation")
-                                     : worded("release {1} m thick, {2} m wide: if in {4}, write {3}"),
-                        {numeral(number_text(thickness, 4)), numeral(number_text(width, 3)),
-                         numeral(number_text(thickness / (is_mm ? 1000 : 100), 3)), is_mm ? "mm" : "cm"}));
+        found.warn(worded(is_elevation ? worded("release {1} m thick: that is the ground's elevation")
+                                       : worded("release {1} m thick, {2} m wide: if in {4}, write {3}"),
+                          {numeral(number_text(thickness, 4)), numeral(number_text(width, 3)),
+                           numeral(number_text(thickness / (is_mm ? 1000 : 100), 3)), is_mm ? "mm" : "cm"}));
         return;
     }
 }
 
 /// A volume and a thickness that differ by a power of ten; a thickness of 1 only stands for a shape.
-void question_volume(const SourceSpec& given, const ReleaseInput& release, RunLog& log) {
+void question_volume(const SourceSpec& given, const ReleaseInput& release, Findings found) {
     constexpr double k_least = 5, k_about = 0.097;  // 25 % off a power of ten: slopes, thickness along the normal
     double stated = 0, outlined = 0;
     for (const ReleaseArea& one : release.areas) {
@@ -182,13 +182,13 @@ void question_volume(const SourceSpec& given, const ReleaseInput& release, RunLo
     if (given.kind == SourceSpec::Kind::number) stated = given.number;
     const double ratio = stated / outlined, decades = std::log10(ratio);
     if (!(std::max(ratio, 1 / ratio) > k_least) || std::abs(decades - std::round(decades)) > k_about) return;
-    log.warn(worded(k_volume_warning, {numeral(number_text(std::pow(10, std::round(decades)), 3))}));
+    found.warn(worded(k_volume_warning, {numeral(number_text(std::pow(10, std::round(decades)), 3))}));
 }
 
 /// Refuses a thickness greater than that of any landslide: a raster of elevations, nodata that no file declares, a
 /// volume in other units.
 void check_greatest(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release,
-                    const MultiPolygon& outlines, const Raster& cover, RunLog& log, Problems& problems) {
+                    const MultiPolygon& outlines, const Raster& cover, Findings found, Problems& problems) {
     double least = k_most_thickness, greatest = 0, mean = 0;
     std::vector<double> of_raster;
     for (const ReleaseArea* release_area : different_rasters(reading, release)) {
@@ -213,9 +213,9 @@ void check_greatest(const SceneReading& reading, const TerrainInput& ground, con
     if (least < k_least_thickness) greatest = least;
     const bool level = reading.scene.release.level.has_value();
     if (greatest > 0) check_thickness(greatest, reading.where(level ? "release.level" : "release.thickness"), problems);
-    if (problems.empty() && !level) question_raster(std::move(of_raster), std::sqrt(area(outlines)), log);
-    if (problems.empty() && !volume) question_mean(release, ground, log);
-    if (problems.empty() && volume) question_volume(*volume, release, log);
+    if (problems.empty() && !level) question_raster(std::move(of_raster), std::sqrt(area(outlines)), found);
+    if (problems.empty() && !volume) question_mean(release, ground, found);
+    if (problems.empty() && volume) question_volume(*volume, release, found);
     if (mean > 0) check_thickness(mean, reading.where("release.volume"), problems);
 }
 
@@ -242,7 +242,7 @@ void refuse_elevations(const SceneReading& reading, const TerrainInput& ground, 
 }
 
 /// A lake ends at its shore but where its dam breaks: a level of another height system drowns the whole perimeter.
-void question_level(const ReleaseInput& release, const TerrainInput& ground, RunLog& log) {
+void question_level(const ReleaseInput& release, const TerrainInput& ground, Findings found) {
     constexpr double k_drowned = 0.25, k_deep = 0.5;  // of the perimeter; [m]
     double all = 0, drowned = 0;
     for (const ReleaseArea& one : release.areas) {
@@ -255,8 +255,8 @@ void question_level(const ReleaseInput& release, const TerrainInput& ground, Run
         }
     }
     if (drowned > k_drowned * all)
-        log.warn(worded("release.level is above {1} % of the perimeter: check it",
-                        {numeral(number_text(100 * drowned / all, 2))}));
+        found.warn(worded("release.level is above {1} % of the perimeter: check it",
+                          {numeral(number_text(100 * drowned / all, 2))}));
 }
 
 /// The least that a map shows is the release; the flow, of which nothing is known yet, needs more.
@@ -276,7 +276,7 @@ void check_map_scale(const SceneReading& reading, const MultiPolygon& outlines, 
 }
 
 /// Polygons that overlap release their thickness twice.
-void check_overlap(const SceneReading& reading, const ReleaseInput& release, const GridSpec& grid, RunLog& log,
+void check_overlap(const SceneReading& reading, const ReleaseInput& release, const GridSpec& grid, Findings found,
                    Problems& problems) {
     if (release.areas.size() < 2) return;
     Raster times(grid);
@@ -289,7 +289,7 @@ void check_overlap(const SceneReading& reading, const ReleaseInput& release, con
         problems.add({"polygons of still water overlap", reading.where("release.perimeter"), cells_of(twice).text(), "",
                       "Draw them apart: one level has no depth on top of another"});
     else if (twice.count > 0)
-        log.warn(worded("polygons of the perimeter overlap, their thicknesses add up there: {1}", {cells_of(twice)}));
+        found.warn(worded("polygons of the perimeter overlap, their thicknesses add up there: {1}", {cells_of(twice)}));
 }
 
 /// Where ground is read on demand the map may be far larger than the release.
@@ -309,7 +309,7 @@ MultiPolygon all_outlines(const ReleaseInput& release) {
 }
 
 void question_outline(const MultiPolygon& released, const MultiPolygon& outline, const GridSpec& grid,
-                      const Place& where, RunLog& log) {
+                      const Place& where, Findings found) {
     constexpr double k_nearly = 0.8;  // of all cells of either; two surveyors differ by as much
     const auto cells_of = [&](const MultiPolygon& polygons) {
         std::vector<std::int64_t> cells;
@@ -324,11 +324,11 @@ void question_outline(const MultiPolygon& released, const MultiPolygon& outline,
     const auto all = static_cast<double>(source.size() + observed.size() - both.size());
     const double alike = all > 0 ? static_cast<double>(both.size()) / all : 0;
     if (alike > k_nearly)
-        log.warn(worded("{1} matches the release to {2} %: give the whole event's outline",
-                        {where.text, numeral(number_text(100 * alike, 3))}));
+        found.warn(worded("{1} matches the release to {2} %: give the whole event's outline",
+                          {where.text, numeral(number_text(100 * alike, 3))}));
 }
 
-void check_release(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release, RunLog& log,
+void check_release(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release, Findings found,
                    Problems& problems) {
     const MultiPolygon outlines = all_outlines(release);
     if (outlines.empty()) {
@@ -342,13 +342,13 @@ void check_release(const SceneReading& reading, const TerrainInput& ground, cons
     const Raster cover = cover_of(outlines, ground.terrain);
     check_ground(reading, ground, cover, problems);
     for (const ReleaseArea* area : different_rasters(reading, release))
-        check_thickness_raster(reading, *area->thickness_raster, cover, log, problems);
-    check_greatest(reading, ground, release, outlines, cover, log, problems);
+        check_thickness_raster(reading, *area->thickness_raster, cover, found, problems);
+    check_greatest(reading, ground, release, outlines, cover, found, problems);
     refuse_elevations(reading, ground, release, cover, problems);
-    question_level(release, ground, log);
+    question_level(release, ground, found);
     check_map_scale(reading, outlines, problems);
-    check_difference(reading, ground, release, cover, log, problems);
-    check_overlap(reading, release, ground.terrain.grid, log, problems);
+    check_difference(reading, ground, release, cover, found, problems);
+    check_overlap(reading, release, ground.terrain.grid, found, problems);
 }
 
 double released_area(const Scene& scene) {
@@ -363,14 +363,14 @@ double released_area(const Scene& scene) {
     return all;
 }
 
-void warn_of_release(const Scene& scene, RunLog& log) {
-    if (scene.release.empty()) return;
+Warnings doubt_release(const Scene& scene) {
+    if (scene.release.empty()) return {};
     const Release release = make_release(scene);
-    log.warn_all(thin_release_warnings(release.depth, scene));
+    Warnings warnings = thin_release_warnings(release.depth, scene);
     std::size_t particles = release.particles.size();
     for (const Entry& entry : release.later) particles += entry.particles.size();
-    log.warn_all(
-        release_warnings(scene, release.bed, release.depth, release.areas, static_cast<std::int64_t>(particles)));
+    return warnings +=
+           release_warnings(scene, release.bed, release.depth, release.areas, static_cast<std::int64_t>(particles));
 }
 
 namespace {
@@ -383,20 +383,22 @@ bool has_ground(const MixedShape& shape, const Raster& terrain) {
 
 }  // namespace
 
-void warn_of_unknown_exposure(const gis::FeatureLayer& layer, const Bounds& map, const Raster* terrain, RunLog& log) {
+Warnings doubt_exposure(const Prepared& prepared, bool on_ground) {
+    const auto& layer = prepared.extra.exposure;
+    if (!layer) return {};
+    const Raster& terrain = prepared.scene.terrain;
     std::size_t unknown = 0;
     std::string first;
-    for (const Feature& feature : layer.features) {
-        const bool is_outside = feature.shape.empty() || place_of(feature.shape, map) == MapPlace::outside;
-        if (!is_outside &&
-            (terrain == nullptr || terrain->values.is_tiled() || has_ground(feature.shape, std::as_const(*terrain))))
-            continue;
+    for (const Feature& feature : layer->features) {
+        const bool is_outside =
+            feature.shape.empty() || place_of(feature.shape, prepared.scene.grid.bounds()) == MapPlace::outside;
+        if (!is_outside && (!on_ground || terrain.values.is_tiled() || has_ground(feature.shape, terrain))) continue;
         if (unknown++ == 0) first = feature.name;
     }
-    if (unknown == 0) return;
+    if (unknown == 0) return {};
     const auto whole = [](std::size_t count) { return numeral(grouped(static_cast<double>(count))); };
-    log.warn(worded("{1} of {2} exposed features not on mapped ground, first: {3}",
-                    {whole(unknown), whole(layer.features.size()), first}));
+    return {worded("{1} of {2} exposed features not on mapped ground, first: {3}",
+                   {whole(unknown), whole(layer->features.size()), first})};
 }
 
 std::optional<GroundStatistics> ground_of_release(const Scene& scene) {

@@ -5,8 +5,7 @@
 #include <string>
 
 #include "analysis/ground_statistics.h"
-#include "app/input/prepare_release.h"
-#include "app/text/run_log.h"
+#include "app/input/prepare.h"
 #include "core/error.h"
 #include "core/raster.h"
 #include "core/words/words.h"
@@ -23,7 +22,7 @@ inline constexpr const char* k_volume_warning =
 
 /// Checks that the release is on ground with data and has a valid thickness. Adds to `problems`: outlines outside the
 /// DTM (both extents named), nodata under the release (cells named), negative or missing thickness (cells named).
-void check_release(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release, RunLog& log,
+void check_release(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release, Findings found,
                    Problems& problems);
 
 /// Returns the outlines of all areas together.
@@ -33,20 +32,19 @@ MultiPolygon all_outlines(const ReleaseInput& release);
 /// while a scar in the geologists' sense is only the source. Both in the CRS of `grid`, whose cells are counted.
 /// `where`: the outline's key.
 void question_outline(const MultiPolygon& released, const MultiPolygon& outline, const GridSpec& grid,
-                      const Place& where, RunLog& log);
+                      const Place& where, Findings found);
 
-/// Warns, before anything is computed, of a release that is too thin, that no slope has, or that is too small for its
+/// Doubts, before anything is computed, a release that is too thin, that no slope has, or that is too small for its
 /// cells.
-void warn_of_release(const Scene& scene, RunLog& log);
+Warnings doubt_release(const Scene& scene);
 
 /// The ground from which something is released [m2]: a thickness raster may fill a part of its outline only.
 double released_area(const Scene& scene);
 
-/// Warns of exposed features of which the map will say nothing: off the map, without geometry, or where the terrain has
-/// no elevation.
-/// @param map the ground that is computed
-/// @param terrain null, or in tiles: not looked at
-void warn_of_unknown_exposure(const gis::FeatureLayer& layer, const Bounds& map, const Raster* terrain, RunLog& log);
+/// Names exposed features of which the map will say nothing: off the map, without geometry, or where the terrain has no
+/// elevation.
+/// @param on_ground whether terrain, unless it is in tiles, is looked at
+Warnings doubt_exposure(const Prepared& prepared, bool on_ground = true);
 
 /// Statistics of the DTM under the outlines of the release; none if nothing is released.
 std::optional<GroundStatistics> ground_of_release(const Scene& scene);

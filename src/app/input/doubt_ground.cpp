@@ -161,10 +161,10 @@ Sentence whole_percent(double share) {
 }
 
 /// Elevations in feet that are read as metres make a slope of 17 degrees one of 45.
-void tell_of_unit(const LookedAt& working, const Prepared& prepared, RunLog& log) {
+std::optional<Warning> doubt_unit(const LookedAt& working, const Prepared& prepared) {
     constexpr double k_carries = 10, k_steep = 42, k_foot = 0.3048;  // degrees, degrees, metres
     const gis::RasterInfo& file = prepared.ground.file;
-    if (file.vertical_unit_stated || prepared.spec.terrain.vertical_unit != "auto") return;
+    if (file.vertical_unit_stated || prepared.spec.terrain.vertical_unit != "auto") return std::nullopt;
     std::vector<double> slopes;
     working.path.values.for_each_stored([&](std::size_t cell, double on) {
         const auto at = static_cast<std::int64_t>(cell), columns = working.path.grid.columns;
@@ -173,64 +173,67 @@ void tell_of_unit(const LookedAt& working, const Prepared& prepared, RunLog& log
             slopes.push_back(slope);
     });
     const double median = percentile(std::move(slopes), 0.5);
-    if (!(median > k_steep)) return;
+    if (!(median > k_steep)) return std::nullopt;
     const double in_feet = std::atan(k_foot * std::tan(median * std::numbers::pi / 180)) * 180 / std::numbers::pi;
-    log.warn(worded("DTM {1}: slopes of {2}° ({3}° if feet): set terrain.vertical-unit",
-                    {last_part(file.path), numeral(number_text(median, 2)), numeral(number_text(in_feet, 2))}));
+    return Warning(worded("DTM {1}: slopes of {2}° ({3}° if feet): set terrain.vertical-unit",
+                          {last_part(file.path), numeral(number_text(median, 2)), numeral(number_text(in_feet, 2))}));
 }
 
-void tell(const GroundDoubts& doubts, const LookedAt& here, const Prepared& prepared, RunLog& log) {
+Warnings warnings_of(const GroundDoubts& doubts, const LookedAt& here, const Prepared& prepared) {
+    Warnings warnings;
     const double working = prepared.scene.grid.cell_size;
     const std::string file = last_part(prepared.ground.file.path);
     if (prepared.ground.file.data_type == "Byte")
-        log.warn(worded("DTM {1} has values 0 to 255 only: a hillshade?", {file}));
+        warnings.push_back(worded("DTM {1} has values 0 to 255 only: a hillshade?", {file}));
     if (const auto& blocks = doubts.blocks) {
         const double side = std::min(blocks->columns, blocks->rows);
         // Working cells as large as the blocks are right again.
         if (side * here.cell_size > 1.1 * working) {
-            log.warn({worded("DTM {3}: {1} % copied cells ({2} x {2}): resample bilinear",
-                             {whole_percent(blocks->share), numeral(number_text(side, 2)), file}),
-                      true});
+            warnings.push_back({worded("DTM {3}: {1} % copied cells ({2} x {2}): resample bilinear",
+                                       {whole_percent(blocks->share), numeral(number_text(side, 2)), file}),
+                                true});
         }
     }
     if (const auto& terraces = doubts.terraces)
-        log.warn(worded(
+        warnings.push_back(worded(
             "DTM {4}: {1} % in steps of {2} m ({3}): use decimals",
             {whole_percent(terraces->share), numeral(number_text(terraces->step, 3)), here.at(terraces->place), file}));
     if (const auto& seam = doubts.seam)
-        log.warn(worded("DTM {4}: step of {1} m along {2} m ({3}): fit tiles",
-                        {numeral(number_text(seam->height, 2)), numeral(number_text(seam->length * here.cell_size, 3)),
-                         here.at(seam->place), file}));
+        warnings.push_back(
+            worded("DTM {4}: step of {1} m along {2} m ({3}): fit tiles",
+                   {numeral(number_text(seam->height, 2)), numeral(number_text(seam->length * here.cell_size, 3)),
+                    here.at(seam->place), file}));
     if (const auto& pits = doubts.pits) {
-        log.warn(
+        warnings.push_back(
             {worded("DTM {4}: {1} pits at {2} m elevation ({3}): set terrain.nodata-value",
                     {numeral(grouped(pits->cells)), numeral(number_text(pits->value, 6)), here.at(pits->place), file}),
              true});
     }
     if (const auto& dam = doubts.dam)
-        log.warn(worded("DTM {3}: dam of {1} m across the path ({2}): open culverts",
-                        {numeral(number_text(dam->height, 2)), here.at(dam->place), file}));
+        warnings.push_back(worded("DTM {3}: dam of {1} m across the path ({2}): open culverts",
+                                  {numeral(number_text(dam->height, 2)), here.at(dam->place), file}));
     if (const auto& rough = doubts.rough)
-        log.warn(
+        warnings.push_back(
             worded("DTM {4}: {1} % stands out {2} m ({3}): take bare ground",
                    {whole_percent(rough->share), numeral(number_text(rough->height, 2)), here.at(rough->place), file}));
+    return warnings;
 }
 
 }  // namespace
 
-void doubt_ground(const SceneReading& reading, Prepared& prepared, RunLog& log) {
+Warnings doubt_ground(const SceneReading& reading, const Prepared& prepared) {
     const std::optional<Bounds> origin = origin_of(prepared.scene);
     const bool is_all_in_memory = !prepared.ground.on_demand && prepared.scene.terrain.values.is_tiled();
-    if (!origin || is_all_in_memory) return;  // a large map that is read whole costs more than this is worth
+    if (!origin || is_all_in_memory) return {};  // a large map that is read whole costs more than this is worth
     const LookedAt working = on_working_grid(reading, prepared, *origin);
     const GridSpec& grid = working.ground().grid;
     const std::string& own_crs = grid.crs_wkt.empty() ? grid.crs_wkt : prepared.ground.file.crs_wkt;
     const gis::CrsTransform to_working(own_crs, grid.crs_wkt, prepared.ground.file.bounds);
     const std::optional<LookedAt> own = on_own_cells(reading, prepared, working, to_working);
     const LookedAt& here = own ? *own : working;
-    tell_of_unit(working, prepared, log);
-    tell(ground_doubts(here.ground(), here.path, here.cell_size), here, prepared, log);
-    prepared.scene.warnings += log.take_warnings();
+    Warnings warnings = warnings_of(ground_doubts(here.ground(), here.path, here.cell_size), here, prepared);
+    if (const auto unit = doubt_unit(working, prepared)) warnings.insert(warnings.begin(), *unit);
+    return warnings;
 }
 
 }  // namespace frana::app

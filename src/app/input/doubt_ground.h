@@ -2,13 +2,12 @@
 #pragma once
 
 #include "app/input/prepare.h"
-#include "app/text/run_log.h"
 
 namespace frana::app {
 
-/// Warns of a DTM that does not look like ground where the release can come to: copied cells, terraces, seams, pits,
+/// Doubts a DTM that does not look like ground where the release can come to: copied cells, terraces, seams, pits,
 /// trees. Where its cells are square, those of the file are looked at, as resampling hides what is wrong.
-/// All become warnings of the scene; copied cells and pits limit the use of its maps.
-void doubt_ground(const SceneReading& reading, Prepared& prepared, RunLog& log);
+/// Copied cells and pits limit the use of its maps.
+Warnings doubt_ground(const SceneReading& reading, const Prepared& prepared);
 
 }  // namespace frana::app

@@ -63,7 +63,7 @@ namespace {
 using File = std::shared_ptr<const gis::RasterOnDemand>;
 
 File open_zones(const SceneReading& reading, const TerrainInput& ground, const std::string& key,
-                const gis::RasterInfo& info, RunLog& log) {
+                const gis::RasterInfo& info, Findings found) {
     const GridSpec& grid = ground.terrain.grid;
     const Place where = reading.where(key);
     if (!grid.crs_wkt.empty() && info.crs_wkt.empty())
@@ -71,8 +71,8 @@ File open_zones(const SceneReading& reading, const TerrainInput& ground, const s
                     Problem{"has no coordinate reference system", where, info.path, "", k_state_zone_crs});
     auto file = std::make_shared<const gis::RasterOnDemand>(info.path, grid, "", gis::Resampling::automatic, "metre",
                                                             std::nullopt, where);
-    log.warn_of(key, file->known().warnings);
-    report_transform(key, file->known().transform, grid.cell_size, log);
+    found.warn_of(key, file->known().warnings);
+    report_transform(key, file->known().transform, grid.cell_size, found);
     return file;
 }
 
@@ -92,9 +92,10 @@ void look_under(const MultiPolygon& released, const Raster& raster) {
 
 Raster zone_raster_on_demand(const SceneReading& reading, const TerrainInput& ground, const std::string& key,
                              const std::string& path, const MultiPolygon& released,
-                             const std::function<double(double)>& convert, std::vector<UsedFile>& files, RunLog& log) {
+                             const std::function<double(double)>& convert, std::vector<UsedFile>& files,
+                             Findings found) {
     const gis::RasterInfo info = reading.session.read(gis::inspect_raster, path, reading.where(key));
-    const File file = open_zones(reading, ground, key, info, log);
+    const File file = open_zones(reading, ground, key, info, found);
     Raster raster = raster_values_on_demand(ground.terrain.grid, file, convert);
     look_under(released, raster);
     add_to(files, key, info, file, raster);
@@ -103,9 +104,9 @@ Raster zone_raster_on_demand(const SceneReading& reading, const TerrainInput& gr
 
 Raster positive_values_on_demand(const SceneReading& reading, const TerrainInput& ground, const std::string& key,
                                  const std::string& path, const std::function<double(double)>& convert,
-                                 std::vector<UsedFile>& files, RunLog& log) {
+                                 std::vector<UsedFile>& files, Findings found) {
     const gis::RasterInfo info = reading.session.read(gis::inspect_raster, path, reading.where(key));
-    const File file = open_zones(reading, ground, key, info, log);
+    const File file = open_zones(reading, ground, key, info, found);
     const GridSpec& grid = ground.terrain.grid;
     Raster raster = positive_values(
         raster_values_on_demand(grid, file, convert),

@@ -30,12 +30,13 @@ void look_under(const MultiPolygon& released, const Raster& raster);
 /// long as the raster exists. Adds the file to `files`. Throws Error(input).
 Raster zone_raster_on_demand(const SceneReading& reading, const TerrainInput& ground, const std::string& key,
                              const std::string& path, const MultiPolygon& released,
-                             const std::function<double(double)>& convert, std::vector<UsedFile>& files, RunLog& log);
+                             const std::function<double(double)>& convert, std::vector<UsedFile>& files,
+                             Findings found);
 
 /// The same, all of the file being read now, in parts: memory is taken only where values are positive.
 Raster positive_values_on_demand(const SceneReading& reading, const TerrainInput& ground, const std::string& key,
                                  const std::string& path, const std::function<double(double)>& convert,
-                                 std::vector<UsedFile>& files, RunLog& log);
+                                 std::vector<UsedFile>& files, Findings found);
 
 /// A value of the material on a large working grid, of which nothing exists until a cell is asked for: that of each
 /// polygon in the cells whose centre is inside, the later one where two overlap; NaN elsewhere. `values` has one for

@@ -38,13 +38,13 @@ constexpr double k_widened = 1.5;
 
 std::optional<gis::PolygonLayer> read_layer(const SceneReading& reading, const std::string& key,
                                             const std::string& file, const TerrainInput* ground,
-                                            std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
+                                            std::vector<UsedFile>& files, Findings found, Problems& problems) {
     gis::PolygonLayer layer =
         reading.session.read(gis::read_polygons, file, target_crs(reading, ground), reading.where(key), {});
-    log.note(key + " " + file + ": " + std::to_string(layer.features.size()) + " features in " + layer.crs_label);
-    log.warn_of(key, layer.warnings);
+    found.log.note(key + " " + file + ": " + std::to_string(layer.features.size()) + " features in " + layer.crs_label);
+    found.warn_of(key, layer.warnings);
     files.push_back(used_polygons(key == "terrain.walls" ? worded("Walls") : worded("Obstacles"), file, layer));
-    if (ground != nullptr) report_transform(key, layer.transform, ground->terrain.grid.cell_size, log);
+    if (ground != nullptr) report_transform(key, layer.transform, ground->terrain.grid.cell_size, found);
     if (ground == nullptr || !is_on_ground(reading, key, layer.bounds, *ground, false, problems)) return std::nullopt;
     return layer;
 }
@@ -69,11 +69,11 @@ void stamp(const gis::PolygonLayer& layer, std::size_t feature, double value, co
     }
 }
 
-void raise_ground(const SceneReading& reading, TerrainInput* ground, std::vector<UsedFile>& files, RunLog& log,
+void raise_ground(const SceneReading& reading, TerrainInput* ground, std::vector<UsedFile>& files, Findings found,
                   Problems& problems) {
     const TerrainSpec& spec = reading.scene.terrain;
     const std::string key = "terrain.obstacles";
-    const auto layer = read_layer(reading, key, *spec.obstacles, ground, files, log, problems);
+    const auto layer = read_layer(reading, key, *spec.obstacles, ground, files, found, problems);
     if (!layer || !spec.obstacle_height) return;
     Raster height(ground->terrain.grid);
     CountedTexts warnings;
@@ -81,7 +81,7 @@ void raise_ground(const SceneReading& reading, TerrainInput* ground, std::vector
         const auto metres = value_of(reading, "terrain.obstacle-height", *spec.obstacle_height, *layer, f, problems);
         if (metres) stamp(*layer, f, *metres, key, height, warnings, problems, reading.where(key));
     }
-    for (const Sentence& warning : warnings.texts()) log.warn(warning);
+    for (const Sentence& warning : warnings.texts()) found.warn(warning);
     double most = 0;
     std::int64_t raised = 0;
     height.values.for_each_stored([&](std::size_t cell, double metres) {
@@ -90,39 +90,39 @@ void raise_ground(const SceneReading& reading, TerrainInput* ground, std::vector
         most = std::max(most, metres);
         ++raised;
     });
-    if (const auto warning = implausible("terrain.obstacle-height", most)) log.warn(*warning);
-    log.note("obstacles raise " + grouped(raised) + " cells of the bed by up to " + number_text(most, 4) + " m");
+    if (const auto warning = implausible("terrain.obstacle-height", most)) found.warn(*warning);
+    found.log.note("obstacles raise " + grouped(raised) + " cells of the bed by up to " + number_text(most, 4) + " m");
 }
 
 /// Reads built structures: raises the ground by terrain.obstacles, and returns 1 where terrain.walls are, on the
 /// working grid (none without walls). Adds every problem to `problems`; without terrain (null) files are only checked.
 /// Adds the files read to `files`.
 std::optional<Raster> prepare_obstacles(const SceneReading& reading, TerrainInput* ground, std::vector<UsedFile>& files,
-                                        RunLog& log, Problems& problems) {
+                                        Findings found, Problems& problems) {
     const TerrainSpec& spec = reading.scene.terrain;
     std::optional<Raster> walls;
     attempt(problems, [&] {
-        if (spec.obstacles) raise_ground(reading, ground, files, log, problems);
+        if (spec.obstacles) raise_ground(reading, ground, files, found, problems);
     });
     attempt(problems, [&] {
         if (!spec.walls) return;
         const std::string key = "terrain.walls";
-        const auto layer = read_layer(reading, key, *spec.walls, ground, files, log, problems);
+        const auto layer = read_layer(reading, key, *spec.walls, ground, files, found, problems);
         if (!layer) return;
         walls.emplace(ground->terrain.grid);
         CountedTexts warnings;
         for (std::size_t f = 0; f < layer->features.size(); ++f)
             stamp(*layer, f, 1, key, *walls, warnings, problems, reading.where(key));
-        for (const Sentence& warning : warnings.texts()) log.warn(warning);
+        for (const Sentence& warning : warnings.texts()) found.warn(warning);
         std::int64_t cells = 0;
         walls->values.for_each_stored([&](std::size_t, double wall) { cells += wall == 1; });
-        log.note("walls stand on " + grouped(cells) + " cells");
+        found.log.note("walls stand on " + grouped(cells) + " cells");
     });
     return walls;
 }
 
 std::optional<gis::PolygonLayer> read_scar(const SceneReading& reading, const TerrainInput* ground,
-                                           std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
+                                           std::vector<UsedFile>& files, Findings found, Problems& problems) {
     if (!reading.scene.observed.perimeter) return std::nullopt;
     const Place where = reading.where("observed.perimeter");
     return attempt(problems, [&] {
@@ -130,9 +130,9 @@ std::optional<gis::PolygonLayer> read_scar(const SceneReading& reading, const Te
             gis::read_polygons, *reading.scene.observed.perimeter, target_crs(reading, ground), where,
             layer_choice(reading, reading.scene.observed.perimeter_layer, "observed.perimeter"));
         files.push_back(used_polygons(worded("Observed outline"), *reading.scene.observed.perimeter, layer));
-        log.warn_of(worded("Observed outline"), layer.warnings);
+        found.warn_of(worded("Observed outline"), layer.warnings);
         if (ground != nullptr) {
-            report_transform(worded("Observed outline"), layer.transform, ground->terrain.grid.cell_size, log);
+            report_transform(worded("Observed outline"), layer.transform, ground->terrain.grid.cell_size, found);
             is_on_ground(reading, "observed.perimeter", layer.bounds, *ground, true, problems);
         }
         return std::optional(std::move(layer));
@@ -178,28 +178,28 @@ void refuse_what_cannot_start(const Scene& scene) {
 
 }  // namespace
 
-Prepared prepare(const SceneReading& reading, RunLog& log) {
+Prepared prepare(const SceneReading& reading, Findings found) {
     Problems problems = reading.problems;
-    for (const Sentence& warning : reading.warnings) log.warn(warning);
-    std::optional<TerrainInput> ground = prepare_terrain(reading, log, problems);
+    for (const Sentence& warning : reading.warnings) found.warn(warning);
+    std::optional<TerrainInput> ground = prepare_terrain(reading, found, problems);
     const TerrainInput* known_ground = ground ? &*ground : nullptr;
     std::vector<UsedFile> files;
     if (ground) files.push_back(ground->used);
     std::vector<UsedFile> site;  // listed after the release, but it changes the ground under it
-    std::optional<Raster> walls = prepare_obstacles(reading, ground ? &*ground : nullptr, site, log, problems);
-    ReleaseInput release = prepare_release(reading, known_ground, files, log, problems);
+    std::optional<Raster> walls = prepare_obstacles(reading, ground ? &*ground : nullptr, site, found, problems);
+    ReleaseInput release = prepare_release(reading, known_ground, files, found, problems);
     files.insert(files.end(), site.begin(), site.end());
-    std::vector<Inflow> inflows = prepare_inflow(reading, known_ground, files, log, problems);
-    MaterialZones zones = prepare_zones(reading, known_ground, all_outlines(release), files, log, problems);
-    std::optional<Raster> forest = prepare_forest(reading, known_ground, files, log, problems);
+    std::vector<Inflow> inflows = prepare_inflow(reading, known_ground, files, found, problems);
+    MaterialZones zones = prepare_zones(reading, known_ground, all_outlines(release), files, found, problems);
+    std::optional<Raster> forest = prepare_forest(reading, known_ground, files, found, problems);
     std::optional<StructuredMaterial> structured =
-        prepare_structured(reading, known_ground, release, walls, files, log, problems);
-    std::optional<gis::PolygonLayer> scar = read_scar(reading, known_ground, files, log, problems);
+        prepare_structured(reading, known_ground, release, walls, files, found, problems);
+    std::optional<gis::PolygonLayer> scar = read_scar(reading, known_ground, files, found, problems);
     if (scar && ground)
         question_outline(all_outlines(release), parts_of(scar->features), ground->terrain.grid,
-                         reading.where("observed.perimeter"), log);
+                         reading.where("observed.perimeter"), found);
     ExtraInput extra;
-    if (ground) extra = prepare_extra(reading, ground->terrain.grid, files, log, problems);
+    if (ground) extra = prepare_extra(reading, ground->terrain.grid, files, found, problems);
     problems.throw_if_any();
     if (const HazardSpec& hazard = reading.scene.hazard; hazard.resolved && is_own_file(*hazard.scheme))
         files.push_back(used_data_file(worded("Hazard scheme"), *hazard.scheme, hazard.resolved->called));
@@ -226,14 +226,14 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     prepared.friction = set_table_friction(reading.scene, std::move(forest), reading.where("material.friction-table"),
                                            prepared.scene, problems);
     problems.throw_if_any();
-    if (prepared.friction) log.note("friction table: " + friction_text(prepared.friction->choice()).text());
+    if (prepared.friction) found.log.note("friction table: " + friction_text(prepared.friction->choice()).text());
     refuse_what_cannot_start(prepared.scene);
-    check_ground_read(reading, *ground, prepared.scene.terrain, log);
+    check_ground_read(reading, *ground, prepared.scene.terrain, found);
     release.ground = ground_of_release(prepared.scene);
     if (release.ground) {
         // What is thrown moves wherever it lands.
         const double friction = reading.scene.release.velocity ? 0 : sure_friction(reading.scene);
-        log.warn_all(release_ground_warnings(*release.ground, friction));
+        found.warn_all(release_ground_warnings(*release.ground, friction));
     }
     const GridSpec& grid = prepared.scene.grid;
     if (!grid.crs_wkt.empty()) {
@@ -252,8 +252,13 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     if (extra.fragility && extra.fragility->uses(HazardQuantity::momentum)) prepared.scene.recording.intensity = true;
     prepared.extra = std::move(extra);
     prepared.scene.file_volume = prepared.release.file_volume;
-    prepared.scene.warnings = log.take_warnings();
+    prepared.scene.warnings = std::exchange(found.warnings, {});
     return prepared;
+}
+
+Prepared prepare(const SceneReading& reading, RunLog& log) {
+    Warnings found;
+    return prepare(reading, {log, found});
 }
 
 std::vector<std::string> left_at_default(const Prepared& prepared) {
@@ -271,10 +276,10 @@ std::vector<std::string> left_at_default(const Prepared& prepared) {
     return left;
 }
 
-Prepared prepare(const SceneReading& reading, const std::optional<Problem>& place, RunLog& log) {
-    if (!place) return prepare(reading, log);
+Prepared prepare(const SceneReading& reading, const std::optional<Problem>& place, Findings found) {
+    if (!place) return prepare(reading, found);
     try {
-        (void)prepare(reading, log);
+        (void)prepare(reading, found);
     } catch (const Error& error) {
         std::vector<Problem> all = error.problems();
         all.push_back(*place);

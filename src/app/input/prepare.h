@@ -37,11 +37,13 @@ struct Prepared {
 };
 
 /// Reads a scene's files. Throws Error(input) with every problem found in keys and files.
+/// @param found what is known of the scene before; with what is found here it becomes the scene's, unless this throws
+Prepared prepare(const SceneReading& reading, Findings found);
 Prepared prepare(const SceneReading& reading, RunLog& log);
 
 /// The same if the result's place may not be usable (check_result_directory()): that is reported together with all
 /// other problems, and alone it is an Error(environment).
-Prepared prepare(const SceneReading& reading, const std::optional<Problem>& place, RunLog& log);
+Prepared prepare(const SceneReading& reading, const std::optional<Problem>& place, Findings found);
 
 /// Returns "material.density = 2000 kg/m3" for each key that the scene uses, whose default decides a number on the map,
 /// and that the user left alone.

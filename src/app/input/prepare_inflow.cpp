@@ -233,7 +233,7 @@ RainTable read_rain(const std::string& file, const Place& where) {
 namespace {
 
 /// Warns of values that mean something else in another unit, where none is named.
-void question_units(const Hydrograph& hydrograph, double line_length, double end, RunLog& log) {
+void question_units(const Hydrograph& hydrograph, double line_length, double end, Findings found) {
     constexpr double k_most_hours = 48, k_part_of_run = 0.01, k_deep = 20;
     const double last = hydrograph.points.back().time;
     double depth = 0, speed = 0;
@@ -242,16 +242,16 @@ void question_units(const Hydrograph& hydrograph, double line_length, double end
         if (point.discharge > 0) depth = std::max(depth, point.discharge / (line_length * point.speed));
     }
     if (!hydrograph.has_time_unit && last <= k_most_hours && last < k_part_of_run * end)
-        log.warn(worded("hydrograph ends at {1} s of {2} s: time_s or time_h?",
-                        {numeral(shortest_text(last)), numeral(grouped(end))}));
+        found.warn(worded("hydrograph ends at {1} s of {2} s: time_s or time_h?",
+                          {numeral(shortest_text(last)), numeral(grouped(end))}));
     if (!hydrograph.has_discharge_unit && depth > k_deep)
-        log.warn(worded("hydrograph {1} m deep on its line: discharge_l/s?", {numeral(number_text(depth, 3))}));
+        found.warn(worded("hydrograph {1} m deep on its line: discharge_l/s?", {numeral(number_text(depth, 3))}));
     if (const auto warning = implausible(k_hydrograph_velocity, speed); warning && !hydrograph.has_speed_unit)
-        log.warn(*warning);
+        found.warn(*warning);
 }
 
 /// Warns of a hydrograph of which a part would flow in after the end of the run.
-void warn_of_late_volume(const std::vector<HydrographPoint>& points, double end, RunLog& log) {
+void warn_of_late_volume(const std::vector<HydrographPoint>& points, double end, Findings found) {
     constexpr double k_late = 0.05;
     double all = 0, late = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -264,25 +264,25 @@ void warn_of_late_volume(const std::vector<HydrographPoint>& points, double end,
         late += (1 - from) * length * (at + b.discharge) / 2;
     }
     if (late > k_late * all)
-        log.warn(worded("{1} % of the hydrograph's {2} m3 after time.end = {3} s",
-                        {numeral(number_text(100 * late / all, 2)), numeral(grouped(all)), numeral(grouped(end))}));
+        found.warn(worded("{1} % of the hydrograph's {2} m3 after time.end = {3} s",
+                          {numeral(number_text(100 * late / all, 2)), numeral(grouped(all)), numeral(grouped(end))}));
 }
 
 }  // namespace
 
 std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInput* ground,
-                                   std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
+                                   std::vector<UsedFile>& files, Findings found, Problems& problems) {
     std::vector<Inflow> inflows;
     const InflowSpec& spec = reading.scene.inflow;
     if (!spec.line || !spec.hydrograph) return inflows;
     attempt(problems, [&] {
         const gis::FeatureLayer layer = reading.session.read(gis::read_lines, *spec.line, target_crs(reading, ground),
                                                              reading.where("inflow.line"));
-        log.note("inflow " + *spec.line + ": " + std::to_string(layer.features.size()) + " lines in " +
-                 layer.crs_label);
+        found.log.note("inflow " + *spec.line + ": " + std::to_string(layer.features.size()) + " lines in " +
+                       layer.crs_label);
         files.push_back(used_lines(worded("Inflow line"), *spec.line, layer));
         if (ground != nullptr)
-            report_transform(worded("Inflow line"), layer.transform, ground->terrain.grid.cell_size, log);
+            report_transform(worded("Inflow line"), layer.transform, ground->terrain.grid.cell_size, found);
         if (layer.features.size() > 1 && spec.hydrograph->rfind("attribute:", 0) != 0) {
             problems.add({"the layer contains several lines for one hydrograph", reading.where("inflow.line"),
                           std::to_string(layer.features.size()) + " lines", "1",
@@ -300,7 +300,7 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
                 hydrograph = hydrograph_file(reading, feature, i + 1);
                 const Hydrograph read = read_hydrograph(hydrograph, reading.where("inflow.hydrograph"),
                                                         reading.scene.numerics.gravity, length);
-                if (ground != nullptr) question_units(read, length, reading.scene.time.end, log);
+                if (ground != nullptr) question_units(read, length, reading.scene.time.end, found);
                 inflow.hydrograph = read.points;
             };
             if (!attempt(problems, read_it)) continue;
@@ -316,10 +316,10 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
             if (ground == nullptr) continue;
             const Bounds box = bounds(MultiPolygon{{inflow.line, {}}});
             if (!is_on_ground(reading, "inflow.line", box, *ground, false, problems)) continue;
-            warn_of_late_volume(inflow.hydrograph, reading.scene.time.end, log);
-            log.note("line " + std::to_string(i + 1) + ": " + number_text(length, 4) + " m, from " +
-                     shortest_text(inflow.hydrograph.front().time) + " s to " +
-                     shortest_text(inflow.hydrograph.back().time) + " s");
+            warn_of_late_volume(inflow.hydrograph, reading.scene.time.end, found);
+            found.log.note("line " + std::to_string(i + 1) + ": " + number_text(length, 4) + " m, from " +
+                           shortest_text(inflow.hydrograph.front().time) + " s to " +
+                           shortest_text(inflow.hydrograph.back().time) + " s");
             files.push_back(used_hydrograph(hydrograph, inflow.hydrograph));
             inflows.push_back(std::move(inflow));
         }

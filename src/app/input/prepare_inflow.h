@@ -13,7 +13,7 @@ namespace frana::app {
 /// Reads [inflow]: each line with its hydrograph. Adds every problem to `problems`; without terrain (null) files are
 /// only checked. Adds the files read to `files`.
 std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInput* ground,
-                                   std::vector<UsedFile>& files, RunLog& log, Problems& problems);
+                                   std::vector<UsedFile>& files, Findings found, Problems& problems);
 
 struct Hydrograph {
     std::vector<HydrographPoint> points;

@@ -226,7 +226,7 @@ std::vector<ReleaseArea> areas_of_raster(const SceneReading& reading, const gis:
 /// that gives release.volume; a volume for several polygons is divided over similar surfaces, their depths proportional
 /// to the square roots of their areas. Logs shape and depth of each.
 std::vector<ReleaseArea> areas_above_slip_surfaces(const SceneReading& reading, const gis::PolygonLayer& layer,
-                                                   const Raster& ground, RunLog& log, Problems& problems) {
+                                                   const Raster& ground, Findings found, Problems& problems) {
     const ReleaseSpec& spec = reading.scene.release;
     std::vector<ReleaseArea> areas;
     std::vector<FittedSurface> surfaces;
@@ -253,9 +253,10 @@ std::vector<ReleaseArea> areas_above_slip_surfaces(const SceneReading& reading, 
         if (shared) depth = factor * std::sqrt(frana::area(area.outline));
         if (!depth) continue;
         area.thickness_raster = surfaces[i].thickness(*depth);
-        log.note("slip surface under " + feature_name(layer, i) + ": " +
-                 (surfaces[i].surface().shape() == SlipShape::ellipsoid ? "ellipsoid" : "sloping local base level") +
-                 ", " + number_text(*depth, 4) + " m deep");
+        found.log.note(
+            "slip surface under " + feature_name(layer, i) + ": " +
+            (surfaces[i].surface().shape() == SlipShape::ellipsoid ? "ellipsoid" : "sloping local base level") + ", " +
+            number_text(*depth, 4) + " m deep");
         areas.push_back(std::move(area));
     }
     return areas;
@@ -311,7 +312,7 @@ Raster positive_part(const Raster& thickness, const TerrainInput& ground, const 
 /// Returns the thickness of files on the working grid.
 std::optional<Raster> thickness_raster(const SceneReading& reading, const ThicknessSpec& spec,
                                        const TerrainInput* ground, ReleaseInput& release, std::vector<UsedFile>& files,
-                                       RunLog& log, Problems& problems) {
+                                       Findings found, Problems& problems) {
     const Place where = reading.where("release.thickness");
     const ThicknessKind& kind = *spec.kind;
     // A thickness has its own unit.
@@ -337,9 +338,9 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
                 read = reading.session.read(gis::read_raster_on, file, ground->terrain.grid, info.crs_wkt,
                                             gis::Resampling::automatic, unit, nodata, where);
             }
-            log.warn_of(worded("Release thickness"), read.warnings);
-            report_transform(file, read.transform, ground->terrain.grid.cell_size, log);
-            log.note("thickness " + file + ": resampling " + read.resampling_used);
+            found.warn_of(worded("Release thickness"), read.warnings);
+            report_transform(file, read.transform, ground->terrain.grid.cell_size, found);
+            found.log.note("thickness " + file + ": resampling " + read.resampling_used);
             release.rasters.push_back(info);
             files.push_back(used_raster(worded("Release thickness"), info, read));
             if (ground->on_demand) do_not_count_nodata(files.back());
@@ -378,8 +379,8 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
     return thickness;
 }
 
-void read_perimeter(const SceneReading& reading, const TerrainInput* ground, std::vector<UsedFile>& files, RunLog& log,
-                    Problems& problems, ReleaseInput& release) {
+void read_perimeter(const SceneReading& reading, const TerrainInput* ground, std::vector<UsedFile>& files,
+                    Findings found, Problems& problems, ReleaseInput& release) {
     if (!reading.scene.release.perimeter) return;
     const std::string key = "release.perimeter";
     const auto read = [&] {
@@ -390,19 +391,19 @@ void read_perimeter(const SceneReading& reading, const TerrainInput* ground, std
     if (!attempt(problems, read)) return;
     const gis::PolygonLayer& layer = *release.perimeter;
     files.push_back(used_polygons(worded("Release perimeter"), *reading.scene.release.perimeter, layer));
-    log.note("perimeter " + *reading.scene.release.perimeter + ": " + std::to_string(layer.features.size()) +
-             " features in " + (layer.crs_label.empty() ? "plain metres" : layer.crs_label));
-    log.warn_of(worded("Release perimeter"), layer.warnings);
+    found.log.note("perimeter " + *reading.scene.release.perimeter + ": " + std::to_string(layer.features.size()) +
+                   " features in " + (layer.crs_label.empty() ? "plain metres" : layer.crs_label));
+    found.warn_of(worded("Release perimeter"), layer.warnings);
     if (ground != nullptr)
-        report_transform(worded("Release perimeter"), layer.transform, ground->terrain.grid.cell_size, log);
+        report_transform(worded("Release perimeter"), layer.transform, ground->terrain.grid.cell_size, found);
 }
 
 }  // namespace
 
 ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* ground, std::vector<UsedFile>& files,
-                             RunLog& log, Problems& problems) {
+                             Findings found, Problems& problems) {
     ReleaseInput release;
-    read_perimeter(reading, ground, files, log, problems, release);
+    read_perimeter(reading, ground, files, found, problems, release);
     if (!reading.scene.release.thickness && !reading.scene.release.level)
         return release;  // reported when the scene was read
     const ThicknessSpec spec = reading.scene.release.thickness.value_or(ThicknessSpec{});
@@ -412,7 +413,7 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
             return release;
         release.areas = areas_to_level(reading, *release.perimeter, ground->terrain, problems);
     } else if (spec.by_raster()) {
-        std::optional<Raster> thickness = thickness_raster(reading, spec, ground, release, files, log, problems);
+        std::optional<Raster> thickness = thickness_raster(reading, spec, ground, release, files, found, problems);
         if (!thickness || (reading.scene.release.perimeter && !release.perimeter)) return release;
         if (release.perimeter) {
             release.areas = areas_of_raster(reading, *release.perimeter, *thickness, problems);
@@ -427,7 +428,7 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
         if (ground == nullptr ||
             !is_on_ground(reading, "release.perimeter", release.perimeter->bounds, *ground, false, problems))
             return release;
-        release.areas = areas_above_slip_surfaces(reading, *release.perimeter, ground->terrain, log, problems);
+        release.areas = areas_above_slip_surfaces(reading, *release.perimeter, ground->terrain, found, problems);
     } else if (release.perimeter) {
         release.areas = areas_by_feature(reading, *release.perimeter, problems);
     }
@@ -436,7 +437,7 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
         release.area_m2 += frana::area(area.outline);
         fastest = std::max(fastest, area.speed);
     }
-    if (const auto warning = implausible("release.velocity", fastest)) log.warn(*warning);
+    if (const auto warning = implausible("release.velocity", fastest)) found.warn(*warning);
     const double end = reading.scene.time.end;
     const auto is_late = [&](const ReleaseArea& area) { return area.start >= end; };
     if (!release.areas.empty() && !reading.scene.inflow.line && reading.scene.material.model != "structured" &&
@@ -445,7 +446,7 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
                       shortest_text(release.areas.front().start) + " s", "before " + shortest_text(end) + " s",
                       "Raise time.end, or correct the start"});
     if (ground != nullptr) {
-        check_release(reading, *ground, release, log, problems);
+        check_release(reading, *ground, release, found, problems);
         release.before.reset();
         // What was read on demand is that under the outlines, which were looked at just now.
         if (ground->on_demand && spec.by_raster() && !release.areas.empty())

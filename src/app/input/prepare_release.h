@@ -29,6 +29,6 @@ struct ReleaseInput {
 /// `problems` and the files read to `files`. Without terrain (null) only checks what needs none: that the files exist
 /// and are valid.
 ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* ground, std::vector<UsedFile>& files,
-                             RunLog& log, Problems& problems);
+                             Findings found, Problems& problems);
 
 }  // namespace frana::app

@@ -51,12 +51,12 @@ double thickest(const ReleaseInput& release, const GridSpec& grid) {
 /// Checks values of the structured model against each other, and the release's thickness against the cells. What has no
 /// meaning is added to `problems`; what is legal and dubious, or given and without effect, is warned of.
 void check_structured_values(const SceneReading& reading, const StructuredMaterial& m, const ReleaseInput& release,
-                             const GridSpec& grid, RunLog& log, Problems& problems) {
+                             const GridSpec& grid, Findings found, Problems& problems) {
     if (!m.solids) return;
     const auto where = [&](const std::string& key) { return reading.where(key); };
     for (const Problem& problem : structured_problems(m, grid.cell_size, where)) problems.add(problem);
-    log.warn_all(structured_warnings(m, thickest(release, grid), grid.cell_size, where,
-                                     [&](const std::string& key) { return is_given(reading, key); }));
+    found.warn_all(structured_warnings(m, thickest(release, grid), grid.cell_size, where,
+                                       [&](const std::string& key) { return is_given(reading, key); }));
 }
 
 /// A key of [structured] whose value may vary from place to place, and the raster that was read for it.
@@ -128,7 +128,7 @@ void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const Gri
 /// Returns the polygons for attribute:NAME; null, with a problem added, if there are none.
 const gis::PolygonLayer* polygons(const SceneReading& reading, const TerrainInput* ground, const ReleaseInput& release,
                                   const Property& asking, std::optional<gis::PolygonLayer>& own,
-                                  std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
+                                  std::vector<UsedFile>& files, Findings found, Problems& problems) {
     const auto& file = reading.scene.structured.zones;
     if (!file) {
         if (release.perimeter) return &*release.perimeter;
@@ -139,10 +139,10 @@ const gis::PolygonLayer* polygons(const SceneReading& reading, const TerrainInpu
     }
     const std::string key = "structured.zones";
     own = reading.session.read(gis::read_polygons, *file, target_crs(reading, ground), reading.where(key), {});
-    log.warn_of(key, own->warnings);
+    found.warn_of(key, own->warnings);
     files.push_back(used_polygons(worded("Zones"), *file, *own));
     if (ground == nullptr) return nullptr;
-    report_transform(key, own->transform, ground->terrain.grid.cell_size, log);
+    report_transform(key, own->transform, ground->terrain.grid.cell_size, found);
     return is_on_ground(reading, key, own->bounds, *ground, true, problems) ? &*own : nullptr;
 }
 
@@ -192,10 +192,10 @@ Raster under_release(const Raster& raster, const MultiPolygon& released) {
 /// A raster of a property on the working grid, in the unit of the scene file.
 std::optional<Raster> property_raster(const SceneReading& reading, const TerrainInput* ground,
                                       const MultiPolygon& released, const Property& property,
-                                      std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
+                                      std::vector<UsedFile>& files, Findings found, Problems& problems) {
     const std::string& file = (*property.source)->name;
     if (ground == nullptr || !ground->on_demand)
-        return read_zone_raster(reading, ground, property.key, file, false, files, log, problems);
+        return read_zone_raster(reading, ground, property.key, file, false, files, found, problems);
     const std::vector<Parameter>& parameters = scene_parameters();
     const auto within = [reading, key = property.key,
                          fits = find_parameter(parameters, property.key)->fits](double value) {
@@ -206,14 +206,14 @@ std::optional<Raster> property_raster(const SceneReading& reading, const Terrain
         return value;
     };
     if (property.value != nullptr)
-        return zone_raster_on_demand(reading, *ground, property.key, file, released, within, files, log);
+        return zone_raster_on_demand(reading, *ground, property.key, file, released, within, files, found);
     // Fluid lies where the file says, not only under the release.
-    return positive_values_on_demand(reading, *ground, property.key, file, within, files, log);
+    return positive_values_on_demand(reading, *ground, property.key, file, within, files, found);
 }
 
 /// Rain over time from a table, the same everywhere or by place.
 void prepare_rain(const SceneReading& reading, const TerrainInput* ground, StructuredMaterial& material,
-                  std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
+                  std::vector<UsedFile>& files, Findings found, Problems& problems) {
     const std::string key = "structured.rain", &table = reading.scene.structured.rain->name;
     RainTable read = read_rain(table, reading.where(key));
     material.rain = std::move(read.rain);
@@ -224,7 +224,7 @@ void prepare_rain(const SceneReading& reading, const TerrainInput* ground, Struc
     }
     for (std::size_t i = 0; i < read.rasters.size(); ++i) {
         if (read.rasters[i].empty()) continue;
-        auto raster = read_zone_raster(reading, ground, key, read.rasters[i], false, files, log, problems);
+        auto raster = read_zone_raster(reading, ground, key, read.rasters[i], false, files, found, problems);
         if (!raster) continue;
         for (double& intensity : raster->values) intensity /= k_mm_per_hour;
         material.rain_maps.push_back(
@@ -238,7 +238,7 @@ void prepare_rain(const SceneReading& reading, const TerrainInput* ground, Struc
 
 std::optional<StructuredMaterial> prepare_structured(const SceneReading& reading, const TerrainInput* ground,
                                                      const ReleaseInput& release, const std::optional<Raster>& walls,
-                                                     std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
+                                                     std::vector<UsedFile>& files, Findings found, Problems& problems) {
     std::optional<StructuredMaterial> material = structured_of(reading.scene);
     if (!material) return material;
     const StructuredSpec& spec = reading.scene.structured;
@@ -249,18 +249,18 @@ std::optional<StructuredMaterial> prepare_structured(const SceneReading& reading
     const auto asking = std::find_if(list.begin(), list.end(),
                                      [](const Property& p) { return has_kind(p, SourceSpec::Kind::attribute); });
     attempt(problems, [&] {
-        if (asking != list.end()) layer = polygons(reading, ground, release, *asking, own, files, log, problems);
+        if (asking != list.end()) layer = polygons(reading, ground, release, *asking, own, files, found, problems);
     });
     for (Property& property : list) {
         attempt(problems, [&] {
             if (has_kind(property, SourceSpec::Kind::attribute) && layer != nullptr && ground != nullptr)
                 burn(reading, *layer, ground->terrain.grid, property, problems);
             if (has_kind(property, SourceSpec::Kind::raster))
-                property.raster = property_raster(reading, ground, released, property, files, log, problems);
+                property.raster = property_raster(reading, ground, released, property, files, found, problems);
         });
     }
     if (spec.rain && spec.rain->kind == SourceSpec::Kind::table)
-        attempt(problems, [&] { prepare_rain(reading, ground, *material, files, log, problems); });
+        attempt(problems, [&] { prepare_rain(reading, ground, *material, files, found, problems); });
     if (material->solids && release.solid_fraction)
         material->zones.push_back({&SolidValues::solid_fraction, *release.solid_fraction});
     if (ground == nullptr) return material;
@@ -283,7 +283,7 @@ std::optional<StructuredMaterial> prepare_structured(const SceneReading& reading
                 [](std::size_t, double& value) { value = std::tan(value * std::numbers::pi / 180); });
         material->zones.push_back({property.value, std::move(kept)});
     }
-    check_structured_values(reading, *material, release, ground->terrain.grid, log, problems);
+    check_structured_values(reading, *material, release, ground->terrain.grid, found, problems);
     bound_initial_fluid(spec.initial_fluid_depth, ground->terrain, walls, *material);
     return material;
 }

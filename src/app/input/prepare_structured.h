@@ -18,6 +18,6 @@ namespace frana::app {
 /// @param walls 1 where there can be no fluid
 std::optional<StructuredMaterial> prepare_structured(const SceneReading& reading, const TerrainInput* ground,
                                                      const ReleaseInput& release, const std::optional<Raster>& walls,
-                                                     std::vector<UsedFile>& files, RunLog& log, Problems& problems);
+                                                     std::vector<UsedFile>& files, Findings found, Problems& problems);
 
 }  // namespace frana::app

@@ -71,13 +71,13 @@ void check_local(const SceneReading& reading, const gis::RasterInfo& dtm) {
                         reading.where("terrain.crs"), "local", "", "Remove the key: frana then chooses a UTM zone"});
 }
 
-std::string automatic_crs(const SceneReading& reading, const gis::RasterInfo& dtm, RunLog& log) {
+std::string automatic_crs(const SceneReading& reading, const gis::RasterInfo& dtm, Findings found) {
     const Point centre = centre_of(dtm.bounds);
     if (reading.session.read(gis::is_projected_in_metres, dtm.crs_wkt)) {
         std::string own = reading.session.read(gis::horizontal_crs, dtm.crs_wkt);
         const gis::MapScale scale = reading.session.read(gis::map_scale, own, centre);
         if (scale.error() <= k_largest_scale_error) return own;
-        log.warn(worded("DTM: scale {2} in {1}: computed in the UTM zone", {dtm.crs_label, scale_of(scale)}));
+        found.warn(worded("DTM: scale {2} in {1}: computed in the UTM zone", {dtm.crs_label, scale_of(scale)}));
     }
     const Point degrees = reading.session.read(gis::to_longitude_latitude, dtm.crs_wkt, centre);
     return reading.session.read(gis::utm_crs_for, degrees.x, degrees.y);
@@ -86,7 +86,7 @@ std::string automatic_crs(const SceneReading& reading, const gis::RasterInfo& dt
 /// Returns the working CRS (WKT): that of terrain.crs, else the DTM's own if projected, in metres and true to scale,
 /// else the UTM zone of the DTM's centre. Empty: local. Throws Error(input) with the remedy if there is none, or if
 /// lengths in the requested one are not lengths on the ground.
-std::string choose_working_crs(const SceneReading& reading, const gis::RasterInfo& dtm, RunLog& log) {
+std::string choose_working_crs(const SceneReading& reading, const gis::RasterInfo& dtm, Findings found) {
     const std::string& requested = reading.scene.terrain.crs;
     if (requested == "local") {
         check_local(reading, dtm);
@@ -103,7 +103,7 @@ std::string choose_working_crs(const SceneReading& reading, const gis::RasterInf
                       "and the perimeter's, as plain metres"});
     }
     problems.throw_if_any();
-    return crs.empty() ? automatic_crs(reading, dtm, log) : crs;
+    return crs.empty() ? automatic_crs(reading, dtm, found) : crs;
 }
 
 constexpr double k_steepest_median = 60;  // degrees; of the steepest mountains some 45
@@ -123,12 +123,12 @@ constexpr const char* k_remedy =
 /// Checks the terrain of a run, or a part or samples of it; places are given in cells of `grid`. Throws Error(input)
 /// for elevations impossible in any unit; warns of elevations above or below any ground, of slopes that indicate a
 /// wrong unit, and of single cells far from all their neighbours, with their places.
-void check_terrain(const SceneReading& reading, const Raster& terrain, const GridSpec& grid, RunLog& log) {
+void check_terrain(const SceneReading& reading, const Raster& terrain, const GridSpec& grid, Findings found) {
     const auto place = [&](const GridSpec& of, const Spot& spot) { return place_of(terrain.grid, of, spot); };
     const double needle = std::max(k_needle, k_needle_cells * terrain.grid.cell_size);
-    const TerrainSanity found = terrain_sanity(terrain, needle);
-    if (found.highest.value < found.lowest.value) return;  // no sample of a large DTM lies where it has data
-    const Spot& extreme = found.highest.value > k_impossible_elevation ? found.highest : found.lowest;
+    const TerrainSanity sanity = terrain_sanity(terrain, needle);
+    if (sanity.highest.value < sanity.lowest.value) return;  // no sample of a large DTM lies where it has data
+    const Spot& extreme = sanity.highest.value > k_impossible_elevation ? sanity.highest : sanity.lowest;
     if (extreme.value > k_impossible_elevation || extreme.value < k_lowest_ground) {
         throw Error(
             ErrorKind::input,
@@ -136,19 +136,19 @@ void check_terrain(const SceneReading& reading, const Raster& terrain, const Gri
                     number_text(extreme.value, 6) + " m at " + place(grid, extreme).text(),
                     grouped(k_lowest_ground) + " to " + grouped(k_impossible_elevation) + " m", k_remedy});
     }
-    if (found.highest.value > k_highest_ground)
-        log.warn(worded("DTM: {1} m at {2}, above any mountain: check its unit",
-                        {numeral(number_text(found.highest.value, 6)), place(grid, found.highest)}));
-    if (found.median_slope_deg > k_steepest_median)
-        log.warn(worded("DTM: median slope {1}°: check terrain.vertical-unit and its CRS",
-                        {numeral(number_text(found.median_slope_deg, 3))}));
-    if (found.needles == 0) return;
+    if (sanity.highest.value > k_highest_ground)
+        found.warn(worded("DTM: {1} m at {2}, above any mountain: check its unit",
+                          {numeral(number_text(sanity.highest.value, 6)), place(grid, sanity.highest)}));
+    if (sanity.median_slope_deg > k_steepest_median)
+        found.warn(worded("DTM: median slope {1}°: check terrain.vertical-unit and its CRS",
+                          {numeral(number_text(sanity.median_slope_deg, 3))}));
+    if (sanity.needles == 0) return;
     std::vector<Sentence> list;
-    for (const Spot& spot : found.first_needles)
+    for (const Spot& spot : sanity.first_needles)
         list.push_back(worded("{1} m at {2}", {numeral(number_text(spot.value, 4)), place(grid, spot)}));
-    if (found.needles > static_cast<std::int64_t>(list.size())) list.emplace_back(std::string("..."));
-    log.warn(worded("DTM: {1} single cells {2} m off all neighbours, repair them: {3}",
-                    {numeral(grouped(found.needles)), numeral(number_text(needle)), listed(list)}));
+    if (sanity.needles > static_cast<std::int64_t>(list.size())) list.emplace_back(std::string("..."));
+    found.warn(worded("DTM: {1} single cells {2} m off all neighbours, repair them: {3}",
+                      {numeral(grouped(sanity.needles)), numeral(number_text(needle)), listed(list)}));
 }
 
 // Up to here a run reads and checks the whole DTM; beyond, that would cost more than the flow.
@@ -310,7 +310,7 @@ void read_filled(DtmWindows& file, const GridSpec& grid, const CellWindow& windo
 }
 
 /// The ground of a large DTM, of which nothing is read yet but samples.
-void read_on_demand(const SceneReading& reading, const GridSpec& grid, TerrainInput& input, RunLog& log) {
+void read_on_demand(const SceneReading& reading, const GridSpec& grid, TerrainInput& input, Findings found) {
     const TerrainSpec& spec = reading.scene.terrain;
     const Place where = reading.where("terrain.dtm");
     const std::string crs = spec.dtm_crs ? input.file.crs_wkt : "";
@@ -319,7 +319,7 @@ void read_on_demand(const SceneReading& reading, const GridSpec& grid, TerrainIn
         keeps ? reading.session.read(open_dtm, spec.dtm, grid, crs, spec.vertical_unit, spec.nodata_value, where, true)
               : open_dtm(spec.dtm, grid, crs, spec.vertical_unit, spec.nodata_value, where, false);
     gis::RasterRead known = file->file->known();
-    log.warn_of(worded("DTM"), known.warnings);
+    found.warn_of(worded("DTM"), known.warnings);
     input.on_demand = file->file;
     input.terrain.grid = grid;
     input.terrain.values = CellValues::tiled(grid.rows, grid.columns, k_no_data,
@@ -333,11 +333,11 @@ void read_on_demand(const SceneReading& reading, const GridSpec& grid, TerrainIn
                                              });
     if (!reading.reads_on_demand) {  // otherwise the whole was looked at before
         known.raster = samples_of(spec, input.file, grid);
-        check_terrain(reading, known.raster, grid, log);
+        check_terrain(reading, known.raster, grid, found);
     }
     input.used = used_raster(worded("DTM"), input.file, known);
     do_not_count_nodata(input.used);
-    log.note(
+    found.log.note(
         "elevations are read where the release lies and where the flow comes, and checked there; of the whole only "
         "samples were checked");
 }
@@ -348,20 +348,20 @@ struct DtmFile {
     std::string working_crs;
 };
 
-DtmFile inspect_dtm(const SceneReading& reading, RunLog& log) {
+DtmFile inspect_dtm(const SceneReading& reading, Findings found) {
     DtmFile dtm;
     dtm.file = reading.session.read(gis::inspect_raster, reading.scene.terrain.dtm, reading.where("terrain.dtm"));
     dtm.file = reading.session.read(gis::with_crs, dtm.file, dtm_crs(reading, dtm.file));
-    dtm.working_crs = choose_working_crs(reading, dtm.file, log);
+    dtm.working_crs = choose_working_crs(reading, dtm.file, found);
     check_vertical_unit(reading, dtm.file);
     if (dtm.working_crs.empty()) dtm.file.crs_wkt.clear();
     return dtm;
 }
 
-TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
+TerrainInput read_terrain(const SceneReading& reading, Findings found) {
     const TerrainSpec& spec = reading.scene.terrain;
     TerrainInput input;
-    const DtmFile dtm = inspect_dtm(reading, log);
+    const DtmFile dtm = inspect_dtm(reading, found);
     input.file = dtm.file;
     const std::string& crs = dtm.working_crs;
     input.crs_label = crs.empty() ? "local" : reading.session.read(gis::crs_name, crs);
@@ -372,16 +372,16 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
     const bool on_demand = can_read_on_demand(reading.scene) && (is_large || reading.reads_on_demand);
     check_size(reading, grid, on_demand);
     if (on_demand) {
-        read_on_demand(reading, grid, input, log);
+        read_on_demand(reading, grid, input, found);
         return input;
     }
     gis::RasterRead read = reading.session.read(gis::read_raster_on, spec.dtm, grid,
                                                 spec.dtm_crs ? input.file.crs_wkt : "", gis::Resampling::automatic,
                                                 spec.vertical_unit, spec.nodata_value, reading.where("terrain.dtm"));
-    log.warn_of(worded("DTM"), read.warnings);
+    found.warn_of(worded("DTM"), read.warnings);
     if (read.zero_rim_cells > 0) {
-        log.warn(worded("DTM: {1} cells of 0 stand out: set terrain.nodata-value = 0",
-                        {numeral(grouped(read.zero_rim_cells))}));
+        found.warn(worded("DTM: {1} cells of 0 stand out: set terrain.nodata-value = 0",
+                          {numeral(grouped(read.zero_rim_cells))}));
     }
     input.used = used_raster(worded("DTM"), input.file, read);
     input.terrain = std::move(read.raster);
@@ -393,31 +393,33 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
     }
     if (reading.scene.numerics.nodata == NodataPolicy::fill && input.nodata_cells > 0)
         input.filled_cells = gis::fill_nodata(input.terrain, k_fill_distance_cells);
-    check_terrain(reading, input.terrain, grid, log);
+    check_terrain(reading, input.terrain, grid, found);
     if (const auto error = error_of(spec))
         add_field(*error, grid, {0, 0, grid.rows, grid.columns}, input.terrain.values.data());
     return input;
 }
 
-void report(const TerrainInput& input, const SceneReading& reading, RunLog& log) {
+void report(const TerrainInput& input, const SceneReading& reading, Findings found) {
     const GridSpec& grid = input.terrain.grid;
-    log.note("DTM " + reading.scene.terrain.dtm + " in " +
-             (input.file.crs_wkt.empty() ? "plain metres" : reading.session.read(gis::crs_name, input.file.crs_wkt)));
-    log.note("working grid of " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) + " cells of " +
-             shortest_text(grid.cell_size) + " m in " + input.crs_label + ", resampling " + input.used.resampling);
+    found.log.note(
+        "DTM " + reading.scene.terrain.dtm + " in " +
+        (input.file.crs_wkt.empty() ? "plain metres" : reading.session.read(gis::crs_name, input.file.crs_wkt)));
+    found.log.note("working grid of " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) +
+                   " cells of " + shortest_text(grid.cell_size) + " m in " + input.crs_label + ", resampling " +
+                   input.used.resampling);
     if (reading.scene.terrain.vertical_unit != "auto")
-        log.note("elevations read in the given unit: " + reading.scene.terrain.vertical_unit);
+        found.log.note("elevations read in the given unit: " + reading.scene.terrain.vertical_unit);
     else if (input.file.vertical_scale_to_metres != 1)
-        log.note("elevations converted from " + input.file.vertical_unit + " to metres");
-    report_transform(worded("DTM"), input.used.transform, grid.cell_size, log);
+        found.log.note("elevations converted from " + input.file.vertical_unit + " to metres");
+    report_transform(worded("DTM"), input.used.transform, grid.cell_size, found);
     if (const auto& error = reading.scene.terrain.error)
-        log.note("terrain.error: a field of " + shortest_text(error->standard_deviation) + " m, range " +
-                 shortest_text(error->range) + " m and seed " + std::to_string(error->seed) +
-                 " was added to the elevations");
-    if (const auto filled = filled_warning(input)) log.warn(*filled);
+        found.log.note("terrain.error: a field of " + shortest_text(error->standard_deviation) + " m, range " +
+                       shortest_text(error->range) + " m and seed " + std::to_string(error->seed) +
+                       " was added to the elevations");
+    if (const auto filled = filled_warning(input)) found.warn(*filled);
     if (input.nodata_cells > 0 && input.filled_cells == 0)
-        log.note(grouped(input.nodata_cells) + " cells of the working grid have no elevation; nodata-policy = " +
-                 word_of(reading.scene.numerics.nodata, k_nodata_policies));
+        found.log.note(grouped(input.nodata_cells) + " cells of the working grid have no elevation; nodata-policy = " +
+                       word_of(reading.scene.numerics.nodata, k_nodata_policies));
 }
 
 }  // namespace
@@ -428,21 +430,21 @@ std::optional<Sentence> filled_warning(const TerrainInput& input) {
                   {numeral(grouped(input.nodata_cells)), numeral(grouped(input.filled_cells))});
 }
 
-void check_ground_read(const SceneReading& reading, const TerrainInput& ground, const Raster& terrain, RunLog& log) {
+void check_ground_read(const SceneReading& reading, const TerrainInput& ground, const Raster& terrain, Findings found) {
     if (!ground.on_demand) return;
     for (const CellWindow& window : terrain.values.stored_windows(terrain.grid.columns))
-        check_terrain(reading, part_of(terrain, window), terrain.grid, log);
+        check_terrain(reading, part_of(terrain, window), terrain.grid, found);
     // Of what was read so far: not of what earlier draws came to.
     const gis::RasterOnDemand* const file = ground.on_demand.get();
-    log.warn_of(worded("DTM"),
-                reading.reads_on_demand ? reading.session.read(suspicions_of, file) : suspicions_of(file));
+    found.warn_of(worded("DTM"),
+                  reading.reads_on_demand ? reading.session.read(suspicions_of, file) : suspicions_of(file));
 }
 
-std::optional<TerrainInput> prepare_terrain(const SceneReading& reading, RunLog& log, Problems& problems) {
+std::optional<TerrainInput> prepare_terrain(const SceneReading& reading, Findings found, Problems& problems) {
     if (reading.scene.terrain.dtm.empty()) return std::nullopt;  // reported as missing when the scene was read
     try {
-        TerrainInput input = read_terrain(reading, log);
-        report(input, reading, log);
+        TerrainInput input = read_terrain(reading, found);
+        report(input, reading, found);
         return input;
     } catch (const Error& error) {
         for (Problem problem : error.problems()) {

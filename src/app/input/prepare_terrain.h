@@ -28,12 +28,12 @@ struct TerrainInput {
 /// Reads the DTM onto the working grid; a large one only where somebody asks for its elevations, with a few samples to
 /// check. Adds every problem to `problems`; none is returned when the ground is
 /// not known.
-std::optional<TerrainInput> prepare_terrain(const SceneReading& reading, RunLog& log, Problems& problems);
+std::optional<TerrainInput> prepare_terrain(const SceneReading& reading, Findings found, Problems& problems);
 
 /// Tells cells whose elevation was interpolated; none if there are none.
 std::optional<Sentence> filled_warning(const TerrainInput& input);
 
 /// Looks at what was read of a large DTM so far, as check_terrain at all of a small one: the ground under the release.
-void check_ground_read(const SceneReading& reading, const TerrainInput& ground, const Raster& terrain, RunLog& log);
+void check_ground_read(const SceneReading& reading, const TerrainInput& ground, const Raster& terrain, Findings found);
 
 }  // namespace frana::app

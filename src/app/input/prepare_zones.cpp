@@ -41,8 +41,8 @@ bool quantity_by_attribute(const Quantity& quantity) {
 }
 
 /// If no key names a column, columns with a standard name are used; a shapefile truncates names to ten letters.
-void name_columns(const SceneReading& reading, const gis::PolygonLayer& layer, std::vector<Quantity>& list, RunLog& log,
-                  Problems& problems) {
+void name_columns(const SceneReading& reading, const gis::PolygonLayer& layer, std::vector<Quantity>& list,
+                  Findings found, Problems& problems) {
     if (std::any_of(list.begin(), list.end(), quantity_by_attribute)) return;
     const auto& numbers = layer.features.front().numbers;
     std::string known, expected;
@@ -54,7 +54,7 @@ void name_columns(const SceneReading& reading, const gis::PolygonLayer& layer, s
             for (const std::string& name : {column, column.substr(0, 10)}) {
                 if (numbers.count(name) == 0 || quantity.source) continue;
                 quantity.source = SourceSpec{SourceSpec::Kind::attribute, 0, name};
-                log.note("zones: column " + name + " taken for " + quantity.key->name);
+                found.log.note("zones: column " + name + " taken for " + quantity.key->name);
                 any = true;
             }
         }
@@ -72,11 +72,11 @@ void name_columns(const SceneReading& reading, const gis::PolygonLayer& layer, s
 
 /// The value of a feature; warns of one that is unusual, if a law uses it.
 std::optional<double> zone_value(const SceneReading& reading, const Quantity& quantity, const gis::PolygonLayer& layer,
-                                 std::size_t feature, RunLog& log, Problems& problems) {
+                                 std::size_t feature, Findings found, Problems& problems) {
     const auto value = value_of(reading, quantity.key->name, *quantity.source, layer, feature, problems);
     const bool is_used = !readers_of(quantity.key->name, laws_of(reading.scene)).empty();
     if (const auto warning = value && is_used ? implausible(quantity.key->name, *value) : std::nullopt)
-        log.warn(*warning);
+        found.warn(*warning);
     return value;
 }
 
@@ -117,28 +117,29 @@ std::int64_t enclosed_gaps(const std::vector<int>& times, const GridSpec& grid) 
     return enclosed;
 }
 
-void report_cover(const std::vector<int>& times, const GridSpec& grid, RunLog& log) {
+void report_cover(const std::vector<int>& times, const GridSpec& grid, Findings found) {
     std::int64_t twice = 0, never = 0;
     for (const int n : times) {
         twice += n > 1;
         never += n == 0;
     }
     if (twice > 0)
-        log.warn(
+        found.warn(
             worded("zones overlap on {1}: the later feature of the layer applies there", {fraction_of(twice, grid)}));
     if (const std::int64_t gaps = enclosed_gaps(times, grid); gaps > 0)
-        log.warn(worded("gaps between the zones on {1}: the material's own values apply", {fraction_of(gaps, grid)}));
-    if (never > 0) log.note("outside all zones, with the material's own values: " + fraction_of(never, grid).text());
+        found.warn(worded("gaps between the zones on {1}: the material's own values apply", {fraction_of(gaps, grid)}));
+    if (never > 0)
+        found.log.note("outside all zones, with the material's own values: " + fraction_of(never, grid).text());
 }
 
 void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const GridSpec& grid,
-          const std::vector<Quantity>& list, MaterialZones& zones, RunLog& log, Problems& problems) {
+          const std::vector<Quantity>& list, MaterialZones& zones, Findings found, Problems& problems) {
     std::vector<int> times(static_cast<std::size_t>(grid.cell_count()), 0);
     for (std::size_t f = 0; f < layer.features.size(); ++f) {
         std::vector<std::pair<Raster*, double>> values;
         for (const Quantity& quantity : list) {
             if (!quantity_by_attribute(quantity)) continue;
-            const auto value = zone_value(reading, quantity, layer, f, log, problems);
+            const auto value = zone_value(reading, quantity, layer, f, found, problems);
             if (!value) continue;
             std::optional<Raster>& raster = zones.*quantity.target;
             if (!raster) raster.emplace(grid, k_no_data);
@@ -150,18 +151,18 @@ void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const Gri
                              for (const auto& [raster, value] : values) raster->at(row, column) = value;
                          });
     }
-    report_cover(times, grid, log);
+    report_cover(times, grid, found);
 }
 
 /// The same where the ground is read where the flow comes: nothing is burned before a cell is asked for.
 void burn_on_demand(const SceneReading& reading, const gis::PolygonLayer& layer, const GridSpec& grid,
-                    const MultiPolygon& released, const std::vector<Quantity>& list, MaterialZones& zones, RunLog& log,
-                    Problems& problems) {
+                    const MultiPolygon& released, const std::vector<Quantity>& list, MaterialZones& zones,
+                    Findings found, Problems& problems) {
     for (const Quantity& quantity : list) {
         if (!quantity_by_attribute(quantity)) continue;
         std::vector<std::optional<double>> values;
         for (std::size_t f = 0; f < layer.features.size(); ++f) {
-            values.push_back(zone_value(reading, quantity, layer, f, log, problems));
+            values.push_back(zone_value(reading, quantity, layer, f, found, problems));
             if (!values.back()) continue;
             values.back() = quantity.key->stored(*values.back());
             if (quantity.key->what == "friction")
@@ -170,33 +171,34 @@ void burn_on_demand(const SceneReading& reading, const gis::PolygonLayer& layer,
         zones.*quantity.target = polygon_values_on_demand(grid, layer.features, values);
         look_under(released, *(zones.*quantity.target));
     }
-    log.note("zones are looked at where the release lies and where the flow comes: overlaps and gaps are not counted");
+    found.log.note(
+        "zones are looked at where the release lies and where the flow comes: overlaps and gaps are not counted");
 }
 
 void read_polygon_zones(const SceneReading& reading, const TerrainInput* ground, const MultiPolygon& released,
-                        std::vector<Quantity>& list, MaterialZones& zones, std::vector<UsedFile>& files, RunLog& log,
+                        std::vector<Quantity>& list, MaterialZones& zones, std::vector<UsedFile>& files, Findings found,
                         Problems& problems) {
     const std::string key = "terrain.friction-zones", file = *reading.scene.terrain.friction_zones;
     const gis::PolygonLayer layer =
         reading.session.read(gis::read_polygons, file, target_crs(reading, ground), reading.where(key), {});
-    log.note("zones " + file + ": " + std::to_string(layer.features.size()) + " features in " + layer.crs_label);
-    log.warn_of(worded("Zones"), layer.warnings);
+    found.log.note("zones " + file + ": " + std::to_string(layer.features.size()) + " features in " + layer.crs_label);
+    found.warn_of(worded("Zones"), layer.warnings);
     files.push_back(used_polygons(worded("Zones"), file, layer));
-    name_columns(reading, layer, list, log, problems);
+    name_columns(reading, layer, list, found, problems);
     if (ground == nullptr) return;
-    report_transform(worded("Zones"), layer.transform, ground->terrain.grid.cell_size, log);
+    report_transform(worded("Zones"), layer.transform, ground->terrain.grid.cell_size, found);
     if (!is_on_ground(reading, key, layer.bounds, *ground, true, problems)) return;
     const GridSpec& grid = ground->terrain.grid;
     if (ground->on_demand) {
-        burn_on_demand(reading, layer, grid, released, list, zones, log, problems);
+        burn_on_demand(reading, layer, grid, released, list, zones, found, problems);
     } else {
-        burn(reading, layer, grid, list, zones, log, problems);
+        burn(reading, layer, grid, list, zones, found, problems);
     }
 }
 
 /// A raster of zones of which nothing is read yet but what lies under the release.
 Raster friction_raster_on_demand(const SceneReading& reading, const TerrainInput& ground, const Quantity& quantity,
-                                 const MultiPolygon& released, std::vector<UsedFile>& files, RunLog& log) {
+                                 const MultiPolygon& released, std::vector<UsedFile>& files, Findings found) {
     double least_limit = HUGE_VAL;
     for (const Law* law : laws_of(reading.scene)) least_limit = std::min(least_limit, law->greatest_friction);
     // Called as long as the run lasts.
@@ -212,14 +214,14 @@ Raster friction_raster_on_demand(const SceneReading& reading, const TerrainInput
         return value;
     };
     return zone_raster_on_demand(reading, ground, quantity.key->name, quantity.source->name, released, convert, files,
-                                 log);
+                                 found);
 }
 
 }  // namespace
 
 std::optional<Raster> read_zone_raster(const SceneReading& reading, const TerrainInput* ground, const std::string& key,
                                        const std::string& file, bool tell_gaps, std::vector<UsedFile>& files,
-                                       RunLog& log, Problems& problems) {
+                                       Findings found, Problems& problems) {
     const Place where = reading.where(key);
     const gis::RasterInfo info = reading.session.read(gis::inspect_raster, file, where);
     if (ground == nullptr) return std::nullopt;
@@ -230,8 +232,8 @@ std::optional<Raster> read_zone_raster(const SceneReading& reading, const Terrai
     }
     gis::RasterRead read = reading.session.read(gis::read_raster_on, file, grid, "", gis::Resampling::automatic,
                                                 "metre", std::nullopt, "");
-    log.warn_of(key, read.warnings);
-    report_transform(key, read.transform, grid.cell_size, log);
+    found.warn_of(key, read.warnings);
+    report_transform(key, read.transform, grid.cell_size, found);
     files.push_back(used_raster("Zones: " + key, info, read));
     if (read.nodata_cells >= grid.cell_count()) {
         problems.add({"has no value anywhere on the working grid", where, file, "",
@@ -248,26 +250,27 @@ std::optional<Raster> read_zone_raster(const SceneReading& reading, const Terrai
         !within_limits(reading, key, greatest, "the raster's greatest value", problems))
         return std::nullopt;
     for (const double value : {least, greatest})
-        if (const auto warning = implausible(key, value)) log.warn(*warning);
+        if (const auto warning = implausible(key, value)) found.warn(*warning);
     if (read.nodata_cells > 0 && tell_gaps)
-        log.warn(
+        found.warn(
             worded("{1}: no value on {2}, the material's own applies", {key, fraction_of(read.nodata_cells, grid)}));
     return std::move(read.raster);
 }
 
 std::optional<Raster> prepare_forest(const SceneReading& reading, const TerrainInput* ground,
-                                     std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
+                                     std::vector<UsedFile>& files, Findings found, Problems& problems) {
     const std::optional<std::string>& file = reading.scene.friction_table.forest;
     if (!file) return std::nullopt;
     return attempt(problems, [&]() -> std::optional<Raster> {
         const std::string key = "material.forest";
         const gis::PolygonLayer layer =
             reading.session.read(gis::read_polygons, *file, target_crs(reading, ground), reading.where(key), {});
-        log.note(key + " " + *file + ": " + std::to_string(layer.features.size()) + " features in " + layer.crs_label);
-        log.warn_of(key, layer.warnings);
+        found.log.note(key + " " + *file + ": " + std::to_string(layer.features.size()) + " features in " +
+                       layer.crs_label);
+        found.warn_of(key, layer.warnings);
         files.push_back(used_polygons(worded("Forest"), *file, layer));
         if (ground == nullptr) return std::nullopt;
-        report_transform(key, layer.transform, ground->terrain.grid.cell_size, log);
+        report_transform(key, layer.transform, ground->terrain.grid.cell_size, found);
         if (!is_on_ground(reading, key, layer.bounds, *ground, true, problems)) return std::nullopt;
         return polygon_values_on_demand(ground->terrain.grid, layer.features,
                                         std::vector<std::optional<double>>(layer.features.size(), 1.0));
@@ -305,22 +308,22 @@ Sentence friction_text(const FrictionChoice& choice) {
 }
 
 MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* ground, const MultiPolygon& released,
-                            std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
+                            std::vector<UsedFile>& files, Findings found, Problems& problems) {
     MaterialZones zones;
     std::vector<Quantity> list = quantities(reading.scene.zones);
     attempt(problems, [&] {
         if (reading.scene.terrain.friction_zones)
-            read_polygon_zones(reading, ground, released, list, zones, files, log, problems);
+            read_polygon_zones(reading, ground, released, list, zones, files, found, problems);
     });
     for (const Quantity& quantity : list) {
         if (!quantity.source || quantity.source->kind != SourceSpec::Kind::raster) continue;
         attempt(problems, [&] {
             if (ground != nullptr && ground->on_demand) {
-                zones.*quantity.target = friction_raster_on_demand(reading, *ground, quantity, released, files, log);
+                zones.*quantity.target = friction_raster_on_demand(reading, *ground, quantity, released, files, found);
                 return;
             }
             std::optional<Raster> raster = read_zone_raster(reading, ground, quantity.key->name, quantity.source->name,
-                                                            true, files, log, problems);
+                                                            true, files, found, problems);
             if (!raster) return;
             for (double& value : raster->values) value = quantity.key->stored(value);
             zones.*quantity.target = std::move(raster);

@@ -18,12 +18,12 @@ namespace frana::app {
 /// `released` (map coordinates) is looked at now. Adds every problem to `problems`; without terrain (null) files are
 /// only checked. Adds the files read to `files`.
 MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* ground, const MultiPolygon& released,
-                            std::vector<UsedFile>& files, RunLog& log, Problems& problems);
+                            std::vector<UsedFile>& files, Findings found, Problems& problems);
 
 /// Reads material.forest: 1 where forest stands, NaN elsewhere; none without the key. Of a raster nothing is stored
 /// until a cell is asked for.
 std::optional<Raster> prepare_forest(const SceneReading& reading, const TerrainInput* ground,
-                                     std::vector<UsedFile>& files, RunLog& log, Problems& problems);
+                                     std::vector<UsedFile>& files, Findings found, Problems& problems);
 
 /// Returns "< 1 000 m", "1 000 – 1 500 m", "≥ 1 500 m", or "all" without limits.
 Sentence class_text(const std::vector<double>& limits, std::size_t at, const std::string& unit);
@@ -35,7 +35,7 @@ Sentence friction_text(const FrictionChoice& choice);
 /// @param tell_gaps warns of cells without a value
 std::optional<Raster> read_zone_raster(const SceneReading& reading, const TerrainInput* ground, const std::string& key,
                                        const std::string& file, bool tell_gaps, std::vector<UsedFile>& files,
-                                       RunLog& log, Problems& problems);
+                                       Findings found, Problems& problems);
 
 /// Adds problems for zones of quantities that the scene's laws do not read.
 void refuse_unused_zones(const SceneReading& reading, const Scene& scene, Problems& problems);

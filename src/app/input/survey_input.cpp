@@ -76,7 +76,7 @@ MultiPolygon parts_of(const std::vector<Feature>& features) {
     return all;
 }
 
-void add_surveyed(const std::string& file, const std::string& crs_wkt, const Place& where, RunLog& log,
+void add_surveyed(const std::string& file, const std::string& crs_wkt, const Place& where, Findings found,
                   Survey& survey) {
     gis::Marks marks = gis::read_marks(file, crs_wkt, where);
     const auto closed = [](const gis::NamedLine& line) {
@@ -86,7 +86,7 @@ void add_surveyed(const std::string& file, const std::string& crs_wkt, const Pla
     const auto areas = marks.polygons + std::count_if(marks.lines.begin(), marks.lines.end(), closed);
     if (areas > 0) {
         const gis::PolygonLayer layer = gis::read_polygons(file, crs_wkt, where);
-        log.warn_of(worded("Observed outline"), layer.warnings);
+        found.warn_of(worded("Observed outline"), layer.warnings);
         const MultiPolygon parts = parts_of(layer.features);
         survey.scar.insert(survey.scar.end(), parts.begin(), parts.end());
         survey.scar_label = file;
@@ -97,25 +97,26 @@ void add_surveyed(const std::string& file, const std::string& crs_wkt, const Pla
     survey.front_label = file;
 }
 
-UsedFile add_deposit(const std::string& file, const GridSpec& grid, const Place& where, RunLog& log, Survey& survey) {
+UsedFile add_deposit(const std::string& file, const GridSpec& grid, const Place& where, Findings found,
+                     Survey& survey) {
     survey.deposit_label = file;
     const auto info = attempt([&] { return std::optional(gis::inspect_raster(file, where)); });
     if (!info) {
         const gis::PolygonLayer layer = gis::read_polygons(file, grid.crs_wkt, where);
-        log.warn_of(worded("deposit"), layer.warnings);
+        found.warn_of(worded("deposit"), layer.warnings);
         survey.deposit = parts_of(layer.features);
         return used_polygons(worded("Surveyed deposit"), file, layer);
     }
     gis::RasterRead read = gis::read_raster_on(file, grid, "", gis::Resampling::automatic);
-    log.warn_of(worded("deposit"), read.warnings);
-    log.note("elevation change resampled to the grid: " + read.resampling_used);
+    found.warn_of(worded("deposit"), read.warnings);
+    found.log.note("elevation change resampled to the grid: " + read.resampling_used);
     UsedFile used = used_raster(worded("Surveyed deposit"), *info, read);
     survey.elevation_change = std::move(read.raster);
     return used;
 }
 
-ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std::vector<UsedFile>& files, RunLog& log,
-                         Problems& problems) {
+ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std::vector<UsedFile>& files,
+                         Findings found, Problems& problems) {
     const OutputSpec& output = reading.scene.output;
     ExtraInput extra;
     const auto keep = [&](const std::string& what, const std::optional<std::string>& file,
@@ -177,7 +178,7 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std:
             const gis::Marks marks =
                 reading.session.read(gis::read_marks, *front, grid.crs_wkt, reading.where(front_key));
             files.push_back(used_marks(worded("Surveyed front"), *front, marks));
-            add_surveyed(*front, grid.crs_wkt, reading.where(front_key), log, extra.survey);
+            add_surveyed(*front, grid.crs_wkt, reading.where(front_key), found, extra.survey);
             if (!extra.survey.scar.empty()) {
                 problems.add({"is an area", reading.where(front_key), *front, "open lines or points",
                               "Give areas as observed.perimeter"});
@@ -186,7 +187,7 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std:
     }
     if (const auto& deposit = reading.scene.observed.deposit)
         attempt(problems,
-                [&] { files.push_back(add_deposit(*deposit, grid, reading.where(deposit_key), log, extra.survey)); });
+                [&] { files.push_back(add_deposit(*deposit, grid, reading.where(deposit_key), found, extra.survey)); });
     return extra;
 }
 

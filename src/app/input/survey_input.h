@@ -36,10 +36,11 @@ struct Survey {
 
 /// Adds a file to a survey by its content: polygons (or closed lines) are a scar, open lines a front, points tips.
 /// Throws Error(input).
-void add_surveyed(const std::string& file, const std::string& crs_wkt, const Place& where, RunLog& log, Survey& survey);
+void add_surveyed(const std::string& file, const std::string& crs_wkt, const Place& where, Findings found,
+                  Survey& survey);
 
 /// Adds a deposit: polygons, or a raster of elevation change. Throws Error(input).
-UsedFile add_deposit(const std::string& file, const GridSpec& grid, const Place& where, RunLog& log, Survey& survey);
+UsedFile add_deposit(const std::string& file, const GridSpec& grid, const Place& where, Findings found, Survey& survey);
 
 /// Returns the polygons of all features of a layer.
 MultiPolygon parts_of(const std::vector<Feature>& features);
@@ -57,7 +58,7 @@ struct ExtraInput {
 
 /// Reads them for a working grid. Adds every problem to `problems`, including places outside the grid, and the files
 /// read to `files`.
-ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std::vector<UsedFile>& files, RunLog& log,
-                         Problems& problems);
+ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std::vector<UsedFile>& files,
+                         Findings found, Problems& problems);
 
 }  // namespace frana::app

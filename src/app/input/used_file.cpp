@@ -25,22 +25,24 @@ std::string transform_text(const gis::TransformInfo& transform) {
     return in_place(transform) ? "none" : transform.operation;
 }
 
-void report_transform(const Sentence& input, const gis::TransformInfo& transform, double cell_size, RunLog& log) {
+void report_transform(const Sentence& input, const gis::TransformInfo& transform, double cell_size, Findings found) {
     if (in_place(transform)) return;
-    log.note(input.text() + " transformed by: " + transform_text(transform) + ", accuracy " + accuracy_text(transform));
+    found.log.note(input.text() + " transformed by: " + transform_text(transform) + ", accuracy " +
+                   accuracy_text(transform));
     if (transform.accuracy_m < 0) {
-        log.warn(
+        found.warn(
             worded("{1}: transformation accuracy unknown ({2}): position may be wrong", {input, transform.operation}));
     } else if (transform.accuracy_m > cell_size / 2) {
-        log.warn(worded("{1}: position ± {2} m, half a cell is {3} m ({4})",
-                        {input, numeral(number_text(transform.accuracy_m, 3)), numeral(number_text(cell_size / 2, 3)),
-                         transform.operation}));
+        found.warn(worded("{1}: position ± {2} m, half a cell is {3} m ({4})",
+                          {input, numeral(number_text(transform.accuracy_m, 3)), numeral(number_text(cell_size / 2, 3)),
+                           transform.operation}));
     }
     if (!transform.needs_missing_grid) return;
     const auto known = [](bool is_known, const std::string& text) { return is_known ? text : std::string("?"); };
-    log.warn(worded("{1}: grid file {2} not installed ({3} m possible): see proj-data, projsync",
-                    {input, known(!transform.missing_grid.empty(), transform.missing_grid),
-                     numeral(known(transform.missing_accuracy_m >= 0, number_text(transform.missing_accuracy_m, 3)))}));
+    found.warn(
+        worded("{1}: grid file {2} not installed ({3} m possible): see proj-data, projsync",
+               {input, known(!transform.missing_grid.empty(), transform.missing_grid),
+                numeral(known(transform.missing_accuracy_m >= 0, number_text(transform.missing_accuracy_m, 3)))}));
 }
 
 namespace {

@@ -27,7 +27,7 @@ std::string accuracy_text(const gis::TransformInfo& transform);
 
 /// Logs how an input ("DTM", "perimeter") was transformed to the working CRS, and warns if its accuracy is worse than
 /// half a cell or a better operation needs a grid file that is not installed.
-void report_transform(const Sentence& input, const gis::TransformInfo& transform, double cell_size, RunLog& log);
+void report_transform(const Sentence& input, const gis::TransformInfo& transform, double cell_size, Findings found);
 
 /// CRC-32 of values as read.
 class Checksum {

@@ -330,13 +330,13 @@ std::vector<std::string> draw_charts(const ResultReader& result, const MapSource
     return files;
 }
 
-bool is_drawn(const std::string& what, RunLog& log, const std::function<void()>& draw) {
+bool is_drawn(const std::string& what, Findings found, const std::function<void()>& draw) {
     try {
         draw();
-        log.note("drew " + what);
+        found.log.note("drew " + what);
         return true;
     } catch (const std::exception& error) {
-        log.warn(worded("{1} could not be drawn: {2}", {what, std::string(error.what())}));
+        found.warn(worded("{1} could not be drawn: {2}", {what, std::string(error.what())}));
         return false;
     }
 }

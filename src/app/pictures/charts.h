@@ -57,15 +57,15 @@ std::string page_chart_svg(const render::Chart& chart);
 
 /// Calls `draw` and notes it; returns false, with a warning, if `what` could not be drawn, whatever was thrown: a
 /// picture never fails what was computed.
-bool is_drawn(const std::string& what, RunLog& log, const std::function<void()>& draw);
+bool is_drawn(const std::string& what, Findings found, const std::function<void()>& draw);
 
 /// Writes the charts of a study or a calibration to charts/ of its folder, with a warning of one that could not be
 /// drawn.
 template <class Rows, class Data>
 void draw_chart_rows(const Rows& rows, const Data& data, const MapSource& source, const std::string& folder,
-                     bool for_page, RunLog& log) {
+                     bool for_page, Findings found) {
     for (const auto& row : rows) {
-        is_drawn("charts/" + std::string(row.of.name), log, [&] {
+        is_drawn("charts/" + std::string(row.of.name), found, [&] {
             if (auto chart = row.draw(data, source.style.words(row.of.title), source))
                 write_chart({row.of.name, std::move(*chart)}, source.style, folder, for_page);
         });

@@ -144,8 +144,9 @@ void note_flows(const std::vector<Runout>& run_outs, RunLog& log) {
 }
 
 /// Notes what a run did, and what was asked of its values and is claimed of them.
-void log_result(const Finished& run, RunLog& log) {
+void log_result(const Finished& run, Findings found) {
     const RunResult& result = run.result;
+    RunLog& log = found.log;
     for (std::size_t i = 0; i < result.released.size(); ++i)
         if (result.released[i].failed) log.note(released_sentence(result.released[i], i).text());
     if (const auto& file = run.prepared.scene.file_volume)
@@ -159,11 +160,8 @@ void log_result(const Finished& run, RunLog& log) {
     if (run.accuracy == nullptr) return;
     const std::vector<ValueEstimate> estimates = value_estimates(*run.accuracy);
     if (!estimates.empty()) log.info("estimated errors:\n" + estimate_lines(estimates));
-    if (is_reached(estimates)) {
-        log.info(accuracy_verdict(*run.accuracy));
-    } else {
-        log.warn(accuracy_verdict(*run.accuracy));
-    }
+    const Sentence verdict = accuracy_verdict(*run.accuracy);
+    is_reached(estimates) ? log.info(verdict.text()) : found.warn(verdict);
 }
 
 /// Writes what the flow does to the exposed features, if there are any.
@@ -196,33 +194,22 @@ std::optional<ExposureTotals> publish_exposure(const Prepared& prepared, const R
 
 /// Writes the comparison with the survey, if there is one. A survey that cannot be compared does not fail the run: it
 /// is a warning.
-std::optional<Comparison> publish_comparison(const Finished& run, const ResultDirectory& directory, RunLog& log) {
+std::optional<Comparison> publish_comparison(const Finished& run, const ResultDirectory& directory, Findings found) {
     const ComparisonInput input = comparison_input(run);
     if (input.survey.empty()) return std::nullopt;
-    return attempt(worded("the survey could not be compared: {1}"), log, [&] {
-        Comparison comparison = compare_with_survey(input, log);
+    const auto warn = [&](const Error& error) {
+        if (error.kind() != ErrorKind::input) throw error;
+        found.warn(worded("the survey could not be compared: {1}", {std::string(error.what())}));
+    };
+    return attempt(warn, [&] {
+        Comparison comparison = compare_with_survey(input);
+        found.warn_all(comparison.warnings);
         write_comparison(comparison, input, directory.path(""));
         const std::string headline = comparison_headline(comparison);
-        if (!headline.empty()) log.info(headline);
+        if (!headline.empty()) found.log.info(headline);
         return std::optional(std::move(comparison));
     });
 }
-
-/// What is written of a result, and what its writing finds.
-struct Publication {
-    const Finished& run;
-    const ResultDirectory& directory;
-    const FrameWriter& frames;
-    RunLog& log;
-    SummaryFacts facts;
-    SeparateFlows flows;
-    std::optional<Comparison> comparison{};
-    PictureOutcome pictures{};
-    Stopwatch watch{};
-
-    [[nodiscard]] const Prepared& prepared() const { return run.prepared; }
-    [[nodiscard]] const RunResult& result() const { return run.result; }
-};
 
 /// The values of the result that more than one file has.
 SummaryFacts facts_of(const Finished& run) {
@@ -248,80 +235,56 @@ SummaryFacts facts_of(const Finished& run) {
     facts.wall.input = run.input_seconds;
     facts.wall.engine = run.result.engine_seconds;
     facts.data_identity = data_identity(prepared);
+    (facts.warnings = run.result.warnings) += run.found;
     if (run.accuracy != nullptr) facts.accuracy = *run.accuracy;
     return facts;
 }
 
-void write_pictures(Publication& p) {
-    p.facts.wall.output = p.watch.seconds() + p.frames.seconds();
-    p.pictures = draw_pictures({p.prepared().spec, p.directory.path(""), p.comparison, p.facts.statistics, p.facts.date,
-                                limits_of_use(p.result().warnings), &p.result(), p.run.threads},
-                               p.log);
-    p.facts.wall.render = p.watch.seconds() + p.frames.seconds() - p.facts.wall.output;
-}
-
-/// What drawing found is in the report and the summary.
-void write_rest_of_report(Publication& p) {
-    p.facts.wall.total = p.run.earlier_seconds + p.run.since_start.seconds();
-    p.facts.peak_memory_bytes = peak_memory_bytes();
-    (p.facts.warnings = p.result().warnings) += p.log.take_warnings();
-    ReportInput report{p.prepared(),
-                       p.result(),
-                       p.facts,
-                       p.comparison,
-                       p.facts.hazard,
-                       error_estimates(p.facts, p.directory.target()),
-                       words_of(p.prepared().spec)};
-    if (p.prepared().spec.output.report) write_report(report, p.directory);
-    report.words = Words{};  // a terminal's
-    p.log.info(answer_lines(report));
-}
-
-/// The files of a result in the order in which they are written: none needs one after it, the summary describes all.
-constexpr std::pair<const char*, void (*)(Publication&)> k_writers[] = {
-    {"rasters", [](Publication& p) { publish_rasters(p.prepared(), p.result(), p.directory); }},
-    {"outlines",
-     [](Publication& p) {
-         publish_outlines(p.prepared(), p.result(), p.flows, p.facts.statistics.run_out(), p.directory);
-     }},
-    {"gauges and sections", [](Publication& p) { publish_series(p.prepared(), p.result(), p.directory); }},
-    {"profiles",
-     [](Publication& p) { publish_profiles(p.prepared(), p.result(), p.facts.statistics.run_out(), p.directory); }},
-    {"hazard", [](Publication& p) { p.facts.hazard = publish_hazard(p.prepared(), p.result(), p.directory); }},
-    {"exposure",
-     [](Publication& p) {
-         p.facts.exposure = publish_exposure(p.prepared(), p.result(), p.directory);
-         if (p.facts.exposure) p.log.info(exposure_sentence(*p.facts.exposure, ReachedBy::the_flow));
-     }},
-    {"time series",
-     [](Publication& p) { write_text_file(p.directory.path(k_series_file), timeseries_csv(p.result().series)); }},
-    {"comparison", [](Publication& p) { p.comparison = publish_comparison(p.run, p.directory, p.log); }},
-    {"styles of frames",
-     [](Publication& p) {
-         if (p.frames.count() > 0) publish_frame_styles(p.directory.folder());
-     }},
-    {"maps and animation", write_pictures},
-    {"report", write_rest_of_report},
-    {"summary",
-     [](Publication& p) {
-         write_text_file(p.directory.path(k_summary_file), summary_json(p.result(), p.facts));
-         p.log.note("wrote summary.json");
-     }},
-    {"QGIS project",  // whose sheets show what the summary says
-     [](Publication& p) {
-         const SceneSpec& spec = p.prepared().spec;
-         publish_project(p.directory.folder(), spec.output.title.value_or(scene_name(spec)));
-     }},
-    {"log", [](Publication& p) { write_text_file(p.directory.path(k_log_file), p.log.text()); }}};
-
-/// Writes a result on the cells that its rasters have.
+/// Writes a result on the cells that its rasters have: the pictures before the report, which shows them, and the
+/// summary after all that may warn; the project's sheets show what the summary says, and the log is the last.
 PictureOutcome publish_all(const Finished& run, const ResultDirectory& directory, const FrameWriter& frames,
                            RunLog& log) {
-    log_result(run, log);
-    Publication all{run, directory, frames, log, facts_of(run), separate_flows(run.result)};
-    note_flows(all.facts.statistics.run_outs, log);
-    for (const auto& [what, write] : k_writers) write(all);
-    return all.pictures;
+    const Prepared& prepared = run.prepared;
+    const RunResult& result = run.result;
+    SummaryFacts facts = facts_of(run);
+    const Findings found{log, facts.warnings};
+    log_result(run, found);
+    const Stopwatch watch;
+    const Runout& run_out = facts.statistics.run_out();
+    note_flows(facts.statistics.run_outs, log);
+    publish_rasters(prepared, result, directory);
+    publish_outlines(prepared, result, separate_flows(result), run_out, directory);
+    publish_series(prepared, result, directory);
+    publish_profiles(prepared, result, run_out, directory);
+    facts.hazard = publish_hazard(prepared, result, directory);
+    facts.exposure = publish_exposure(prepared, result, directory);
+    if (facts.exposure) log.info(exposure_sentence(*facts.exposure, ReachedBy::the_flow));
+    write_text_file(directory.path(k_series_file), timeseries_csv(result.series));
+    const std::optional<Comparison> comparison = publish_comparison(run, directory, found);
+    if (frames.count() > 0) publish_frame_styles(directory.folder());
+    facts.wall.output = watch.seconds() + frames.seconds();
+    const PictureOutcome pictures = draw_pictures({prepared.spec, directory.path(""), comparison, facts.statistics,
+                                                   facts.date, limits_of_use(facts.warnings), &result, run.threads},
+                                                  log);
+    facts.warnings += pictures.warnings;
+    facts.wall.render = watch.seconds() + frames.seconds() - facts.wall.output;
+    facts.wall.total = run.earlier_seconds + run.since_start.seconds();
+    facts.peak_memory_bytes = peak_memory_bytes();
+    ReportInput report{prepared,
+                       result,
+                       facts,
+                       comparison,
+                       facts.hazard,
+                       error_estimates(facts, directory.target()),
+                       words_of(prepared.spec)};
+    if (prepared.spec.output.report) write_report(report, directory);
+    report.words = Words{};  // a terminal's
+    log.info(answer_lines(report));
+    write_text_file(directory.path(k_summary_file), summary_json(result, facts));
+    log.note("wrote summary.json");
+    publish_project(directory.folder(), prepared.spec.output.title.value_or(scene_name(prepared.spec)));
+    write_text_file(directory.path(k_log_file), log.text());
+    return pictures;
 }
 
 }  // namespace
@@ -339,9 +302,9 @@ PictureOutcome publish(const Finished& run, const ResultDirectory& directory, Fr
     const RunResult result = cut_to(run.result, *window);
     publish_dtm(prepared, directory);
     if (frames.count() > 0) frames.cut_to(*window, run.threads);
-    return publish_all(
-        {prepared, result, run.threads, run.input_seconds, run.earlier_seconds, run.since_start, run.accuracy},
-        directory, frames, log);
+    return publish_all({prepared, result, run.threads, run.input_seconds, run.earlier_seconds, run.since_start,
+                        run.accuracy, run.found},
+                       directory, frames, log);
 }
 
 }  // namespace frana::app

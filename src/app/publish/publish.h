@@ -19,6 +19,7 @@ struct Finished {
     double earlier_seconds = 0;  ///< wall time of the sessions before this one
     const Stopwatch& since_start;
     const AccuracyRecord* accuracy = nullptr;  ///< of a run that came to its end under numerics.accuracy
+    Warnings found{};                          ///< before and after it was computed, told
 };
 
 /// Writes the files of a result: rasters with styles, outlines, maps, animation, comparison, series, summary, scene,

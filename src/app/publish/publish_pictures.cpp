@@ -85,15 +85,16 @@ class Drawings {
     }
     [[nodiscard]] PictureOutcome outcome(RunLog& log) const {
         for (const std::string& note : notes_) log.note(note);
-        for (const Sentence& warning : warnings_) log.warn(warning);
+        Warnings warnings = warnings_;
         if (!left_out_.empty())
-            log.warn(worded("left out because of the signal: {1}; --resume draws them", {joined(left_out_, ", ")}));
-        return {has_failed_, !left_out_.empty()};
+            warnings.push_back(
+                worded("left out because of the signal: {1}; --resume draws them", {joined(left_out_, ", ")}));
+        return {has_failed_, !left_out_.empty(), log.tell(warnings)};
     }
 
   private:
     std::vector<std::string> notes_, left_out_;
-    std::vector<Sentence> warnings_;
+    Warnings warnings_;
     bool has_failed_ = false;
 };
 

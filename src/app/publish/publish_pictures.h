@@ -25,10 +25,11 @@ struct PictureRequest {
     int threads = 1;
 };
 
-/// What drawing left for --resume.
+/// What drawing found, and left for --resume.
 struct PictureOutcome {
     bool has_failed = false;   ///< a picture, for a reason that may pass
     bool was_stopped = false;  ///< by a signal, before all were drawn
+    Warnings warnings{};       ///< of what could not be drawn or read, told
 };
 
 /// Loads what the pictures and the particles of a run are drawn and written with: it is better missed before the run

@@ -257,7 +257,7 @@ void write_report(const ReportInput& input, const ResultDirectory& directory) {
                                 words));
     page.add(exposure_section(input.facts.exposure, words));
     add_details(page, input, directory);
-    if (!input.facts.warnings.empty()) page.warnings(warnings_of(input), words);
+    if (!input.facts.warnings.empty()) page.warnings(input.facts.warnings, words);
     page.heading("inputs", words("Inputs")).add(inputs_table(input.prepared, words));
     add_keys(page, input);
     write_page(directory.folder(),

@@ -352,14 +352,6 @@ Document answer_tables(const ReportInput& input) {
                                   .add(values_table(words("High values"), strength, input)));
 }
 
-Warnings warnings_of(const ReportInput& input) {
-    Warnings warnings = input.facts.warnings;
-    if (const auto& accuracy = input.facts.accuracy)
-        std::replace(warnings.begin(), warnings.end(), Warning(accuracy_verdict(*accuracy)),
-                     Warning(accuracy_verdict(*accuracy, input.words)));
-    return warnings;
-}
-
 std::string what_one_run_is(const SceneSpec& spec) {
     bool is_own = false;
     for (const std::string& key : told_keys(spec))
@@ -395,7 +387,7 @@ Document scenario(const ReportInput& input) {
         .add(scenario_table(input))
         .add(exposure_answer(input.facts.exposure, ReachedBy::the_flow, words))
         .add(comparison_answer(input.comparison, words))
-        .first_warnings(warnings_of(input), words);
+        .first_warnings(input.facts.warnings, words);
 }
 
 }  // namespace frana::app

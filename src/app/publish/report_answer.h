@@ -23,9 +23,6 @@ struct GaugeAnswer {
 };
 std::vector<GaugeAnswer> gauge_answers(const ReportInput& input);
 
-/// Returns the run's warnings with the verdict on its accuracy, which is put together in one language, in the report's.
-Warnings warnings_of(const ReportInput& input);
-
 /// What a reader who signs has before him, in English: whether the friction is a starting value or one of the scene's
 /// own.
 std::string what_one_run_is(const SceneSpec& spec);

@@ -246,7 +246,7 @@ Document accuracy_tables(const AccuracyRecord& record, const Words& words) {
                     words(describe(e.convergence.trend)), n.rounded(e.allowed, 2) + unit});
     }
     return Document()
-        .paragraph(accuracy_verdict(record, words) + ".")
+        .paragraph(accuracy_verdict(record).in(words) + ".")
         .add(values)
         .subheading(words("Levels computed"))
         .add(levels);

@@ -43,19 +43,22 @@ std::string cells(double size) {
 }
 
 /// Percent of the value, or its unit where that is zero.
-std::string error_text(const ValueEstimate& estimate, const Words& words) {
-    if (!std::isfinite(estimate.error)) return words("not converging");
+Sentence error_text(const ValueEstimate& estimate) {
+    if (!std::isfinite(estimate.error)) return worded("not converging");
     const bool has_percent = std::isfinite(estimate.percent());
-    return words.number(number_text(has_percent ? estimate.percent() : estimate.error, 2)) + " " +
-           (has_percent ? "%" : estimate.value.unit);
+    return numeral(number_text(has_percent ? estimate.percent() : estimate.error, 2) + " " +
+                   (has_percent ? "%" : estimate.value.unit));
 }
 
+// The same in all languages.
+constexpr const char *k_listed = "{1}, {2}", *k_bracketed = "{1} ({2})";
+
 /// States the cell size of the result and of its terrain.
-std::string cells_sentence(const AccuracyRecord& record, const Words& words) {
-    const auto metres = [&](double size) { return words.number(number_text(size)); };
-    const std::string text = words("cells of {1} m", {metres(record.chosen_cell_size)});
-    const bool is_finer = record.chosen_cell_size < record.terrain_cell_size * (1 - 1e-9);
-    return is_finer ? text + ", " + words("finer than the DTM's {1} m", {metres(record.terrain_cell_size)}) : text;
+Sentence cells_sentence(const AccuracyRecord& record) {
+    const Sentence own = worded("cells of {1} m", {numeral(number_text(record.chosen_cell_size))});
+    if (!(record.chosen_cell_size < record.terrain_cell_size * (1 - 1e-9))) return own;
+    return worded(k_listed,
+                  {own, worded("finer than the DTM's {1} m", {numeral(number_text(record.terrain_cell_size))})});
 }
 
 }  // namespace
@@ -130,7 +133,7 @@ Json accuracy_json(const AccuracyRecord& record) {
     const std::vector<ValueEstimate> estimates = value_estimates(record);
     Json json{{"asked", record.asked},
               {"reached", is_reached(estimates)},
-              {"verdict", accuracy_verdict(record)},
+              {"verdict", accuracy_verdict(record).text()},
               {"cell_size_m", record.chosen_cell_size},
               {"finest_cell_size_m", record.finest_cell_size},
               {"dtm_cell_size_m", record.terrain_cell_size},
@@ -191,25 +194,26 @@ std::string estimate_lines(const std::vector<ValueEstimate>& estimates) {
     return text;
 }
 
-std::string accuracy_verdict(const AccuracyRecord& record, const Words& words) {
+Sentence accuracy_verdict(const AccuracyRecord& record) {
     const std::vector<ValueEstimate> estimates = value_estimates(record);
-    const std::string asked = "numerics.accuracy = " + words.number(percent_text(record.asked));
-    const std::string result = cells_sentence(record, words);
-    if (estimates.empty()) return words("{1} not estimated, too few coarser levels; {2}", {asked, result});
+    const Sentence asked = numeral("numerics.accuracy = " + percent_text(record.asked)),
+                   result = cells_sentence(record);
+    if (estimates.empty()) return worded("{1} not estimated, too few coarser levels; {2}", {asked, result});
     const std::string all = std::to_string(
         std::count_if(estimates.begin(), estimates.end(), [](const ValueEstimate& e) { return !e.is_zero; }));
-    const std::string rest = "; " + result + "; " + words("discretisation error only");
-    if (is_reached(estimates)) return words("{1} met by {2} of {3} values", {asked, all, all}) + rest;
+    const Sentence rest = listed({result, worded("discretisation error only")});
+    if (is_reached(estimates)) return listed({worded("{1} met by {2} of {3} values", {asked, all, all}), rest});
     constexpr std::size_t k_named = 4;
-    std::vector<std::string> named;
+    Sentence named;
     std::size_t unmet = 0;
+    const auto name = [&](const Sentence& one) { named = unmet == 1 ? one : worded(k_listed, {named, one}); };
     for (const ValueEstimate& e : estimates) {
         if (e.is_zero || e.is_within()) continue;
-        if (++unmet <= k_named) named.push_back(e.value.title.in(words) + " (" + error_text(e, words) + ")");
+        if (++unmet <= k_named) name(worded(k_bracketed, {e.value.title, error_text(e)}));
     }
-    if (unmet > k_named) named.emplace_back("…");
-    return words("{1} not met by {2} of {3} values", {asked, std::to_string(unmet), all}) + ": " + joined(named, ", ") +
-           rest;
+    if (unmet > k_named) name(std::string("…"));
+    const Sentence missed = worded("{1} not met by {2} of {3} values", {asked, std::to_string(unmet), all});
+    return listed({worded("{1}: {2}", {missed, named}), rest});
 }
 
 namespace {

@@ -69,7 +69,7 @@ Json accuracy_json(const AccuracyRecord& record);
 /// For the terminal and the log: a table of the levels; one line per value; one sentence on the accuracy reached.
 std::string level_table(const AccuracyRecord& record);
 std::string estimate_lines(const std::vector<ValueEstimate>& estimates);
-std::string accuracy_verdict(const AccuracyRecord& record, const Words& words = {});
+Sentence accuracy_verdict(const AccuracyRecord& record);
 /// "2 %"
 std::string percent_text(double fraction);
 

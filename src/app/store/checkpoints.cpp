@@ -48,7 +48,7 @@ std::vector<std::string> checkpoints_in(const std::string& directory) {
 }
 
 Checkpoints::Checkpoints(std::string directory, double interval, const Prepared& prepared, FrameWriter* frames,
-                         const Stopwatch& since_start, double earlier, std::string accuracy, RunLog& log)
+                         const Stopwatch& since_start, double earlier, std::string accuracy, Findings found)
     : directory_(std::move(directory)),
       folder_((fs::path(directory_) / k_checkpoint_folder).string()),
       interval_(interval),
@@ -57,7 +57,7 @@ Checkpoints::Checkpoints(std::string directory, double interval, const Prepared&
       since_start_(since_start),
       earlier_(earlier),
       accuracy_(std::move(accuracy)),
-      log_(log) {}
+      found_(found) {}
 
 void Checkpoints::after_step(const Progress& now, const SaveState& state) {
     if (now.last || (interval_ > 0 && since_last_.seconds() >= interval_)) save(now, state);
@@ -73,7 +73,7 @@ CheckpointHead Checkpoints::head(const Progress& now) {
             now.end,
             earlier_ + since_start_.seconds(),
             {},
-            log_.lines(),
+            found_.log.lines(),
             OriginCell{grid.origin_column, grid.origin_row},
             {},
             accuracy_};
@@ -84,11 +84,11 @@ void Checkpoints::save(const Progress& now, const SaveState& state) {
     const Stopwatch watch;
     const auto warn_once = [&](const Error& error) {
         if (error.kind() != ErrorKind::environment) throw error;
-        if (!std::exchange(warned_, true)) log_.warn(std::string(error.what()));
+        if (!std::exchange(warned_, true)) found_.warn(std::string(error.what()));
     };
     attempt(warn_once, [&] {
         make_folder(folder_);
-        log_.note("checkpoint at " + number_text(now.time, 6) + " s, step " + std::to_string(now.step));
+        found_.log.note("checkpoint at " + number_text(now.time, 6) + " s, step " + std::to_string(now.step));
         CheckpointHead described = head(now);
         if (frames_ != nullptr) {
             described.frame_times = frames_->times();
@@ -96,8 +96,8 @@ void Checkpoints::save(const Progress& now, const SaveState& state) {
         }
         const std::string path = (fs::path(folder_) / file_name(now.step)).string();
         const std::uint64_t bytes = write_checkpoint(path, std::move(described), state);
-        log_.note("checkpoint of " + number_text(static_cast<double>(bytes) / 1e6, 3) + " MB written in " +
-                  number_text(watch.seconds(), 2) + " s");
+        found_.log.note("checkpoint of " + number_text(static_cast<double>(bytes) / 1e6, 3) + " MB written in " +
+                        number_text(watch.seconds(), 2) + " s");
         const std::vector<std::string> all = checkpoints_in(directory_);
         std::error_code ignored;
         for (std::size_t i = k_checkpoints_kept; i < all.size(); ++i) fs::remove(all[i], ignored);

@@ -28,7 +28,7 @@ class Checkpoints {
     /// @param earlier wall time of earlier sessions [s]
     /// @param accuracy CheckpointHead::accuracy
     Checkpoints(std::string directory, double interval, const Prepared& prepared, FrameWriter* frames,
-                const Stopwatch& since_start, double earlier, std::string accuracy, RunLog& log);
+                const Stopwatch& since_start, double earlier, std::string accuracy, Findings found);
 
     /// Writes a checkpoint when it is due and at the run's last step. If one cannot be written, there is a warning and
     /// the run continues.
@@ -45,7 +45,7 @@ class Checkpoints {
     const Stopwatch& since_start_;
     double earlier_;
     std::string accuracy_;
-    RunLog& log_;
+    Findings found_;
     std::string identity_;  ///< computed when first needed, from all data
     Stopwatch since_last_;
     bool warned_ = false;

@@ -178,7 +178,7 @@ std::error_code remove_own_files(const std::string& folder,
     return {};
 }
 
-void remove_partial(const std::string& result, RunLog& log) {
+void remove_partial(const std::string& result, Findings found) {
     std::error_code error;
     const fs::path note = fs::path(result) / k_building_file;
     if (const auto json = read_json_file(note.string()); json && value_in<std::string>(*json, "/program") == k_program)
@@ -188,14 +188,14 @@ void remove_partial(const std::string& result, RunLog& log) {
     if (!lock.is_held()) return;  // there is none, or another run builds in it
     if (is_being_built(partial) || is_being_replaced(partial)) {
         if (const std::vector<std::string> users = users_files(partial); !users.empty()) {
-            log.info(partial + " contains " + told(users) + "; it is kept");
+            found.log.info(partial + " contains " + told(users) + "; it is kept");
             return;
         }
         error = remove_own_files(partial);
     }
     if (!error) fs::remove(partial, error);
     if (error && error != std::errc::directory_not_empty)
-        log.warn(worded("older result not removed: {1}; the rest is in {2}", {error.message(), partial}));
+        found.warn(worded("older result not removed: {1}; the rest is in {2}", {error.message(), partial}));
 }
 
 std::vector<std::string> spellings(const std::string& source) {

@@ -67,7 +67,7 @@ std::error_code remove_own_files(const std::string& folder,
 
 /// Removes what is beside a complete result: the one that it replaced, or what a killed run left; and the note in it.
 /// What remains is told. Throws Error(environment) if the place cannot be read.
-void remove_partial(const std::string& result, RunLog& log);
+void remove_partial(const std::string& result, Findings found);
 
 /// Returns the paths that the value of a key may mean: a file, or one in GDAL's syntax ("file|layer=a",
 /// "DRIVER:file:part", "/vsizip/file/part").

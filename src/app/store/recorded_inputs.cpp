@@ -137,8 +137,9 @@ std::string recorded_inputs(const std::vector<NamedFile>& files, const std::stri
     return json_text(json);
 }
 
-void warn_of_changed_inputs(const std::vector<NamedFile>& files, const std::string& folder,
-                            const std::function<std::string(const std::string& key)>& where, RunLog& log) {
+Warnings changed_inputs(const std::vector<NamedFile>& files, const std::string& folder,
+                        const std::function<std::string(const std::string& key)>& where) {
+    Warnings warnings;
     const auto stem = [](fs::path file) { return file.replace_extension(); };
     for (const Recorded& recorded : read_recorded(folder)) {
         const fs::path here = (folder / recorded.relative).lexically_normal();
@@ -148,29 +149,29 @@ void warn_of_changed_inputs(const std::vector<NamedFile>& files, const std::stri
         std::error_code error;
         if (std::none_of(files.begin(), files.end(), names_it) || !fs::is_regular_file(here, error)) continue;
         if (const FileMark now = mark_at(here); now != recorded.mark)
-            log.warn(worded("{1}: {2} changed since this result (then {3}; now {4})",
-                            {where(recorded.key), here.string(), recorded.mark.text(), now.text()}));
+            warnings.push_back(worded("{1}: {2} changed since this result (then {3}; now {4})",
+                                      {where(recorded.key), here.string(), recorded.mark.text(), now.text()}));
     }
+    return warnings;
 }
 
 namespace {
 
-void warn_of_scene(const SceneReading& reading, const fs::path& folder, RunLog& log) {
+Warnings changed_of_scene(const SceneReading& reading, const fs::path& folder) {
     std::vector<NamedFile> files = named_files(reading.scene);
     std::erase_if(files,
                   [&](const NamedFile& file) { return reading.scene.origin_of(file.key) == Origin::command_line; });
-    warn_of_changed_inputs(
-        files, folder.string(), [&](const std::string& key) { return reading.where(key); }, log);
+    return changed_inputs(files, folder.string(), [&](const std::string& key) { return reading.where(key); });
 }
 
 }  // namespace
 
-void warn_of_changed_inputs(const SceneReading& reading, RunLog& log) {
-    warn_of_scene(reading, recording_folder(reading.scene.file), log);
+Warnings changed_inputs(const SceneReading& reading) {
+    return changed_of_scene(reading, recording_folder(reading.scene.file));
 }
 
-void warn_of_changed_inputs(const std::string& study_file, const SceneReading& scene, RunLog& log) {
-    warn_of_scene(scene, fs::path(study_file).parent_path(), log);
+Warnings changed_inputs(const std::string& study_file, const SceneReading& scene) {
+    return changed_of_scene(scene, fs::path(study_file).parent_path());
 }
 
 }  // namespace frana::app

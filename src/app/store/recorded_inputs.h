@@ -18,14 +18,14 @@ std::string recorded_inputs(const Prepared& prepared);
 /// The same of a result in `folder` (empty: not known yet) for other files, each once.
 std::string recorded_inputs(const std::vector<NamedFile>& files, const std::string& folder);
 
-/// Warns of those of the files whose content is not that recorded in inputs.json of a result's folder, which may have
+/// Names those of the files whose content is not that recorded in inputs.json of a result's folder, which may have
 /// been moved with them: what is computed from them is not that result.
 /// @param where names a key in messages
-void warn_of_changed_inputs(const std::vector<NamedFile>& files, const std::string& folder,
-                            const std::function<std::string(const std::string& key)>& where, RunLog& log);
+Warnings changed_inputs(const std::vector<NamedFile>& files, const std::string& folder,
+                        const std::function<std::string(const std::string& key)>& where);
 /// The same for a scene file of a result, or of a member of a study's, without the keys that the command line sets.
-void warn_of_changed_inputs(const SceneReading& reading, RunLog& log);
+Warnings changed_inputs(const SceneReading& reading);
 /// The same for the scene of a study.
-void warn_of_changed_inputs(const std::string& study_file, const SceneReading& scene, RunLog& log);
+Warnings changed_inputs(const std::string& study_file, const SceneReading& scene);
 
 }  // namespace frana::app

@@ -280,7 +280,7 @@ void ResultDirectory::make_folder(const std::string& name) const {
     if (error) fail("cannot be made", path(name), error.message());
 }
 
-void ResultDirectory::publish(const ResultFacts& facts, RunLog& log) {
+void ResultDirectory::publish(const ResultFacts& facts, Findings found) {
     write_manifest(partial_, manifest_of(partial_, facts));
     if (has_files(directory_))
         replace_older();
@@ -289,7 +289,7 @@ void ResultDirectory::publish(const ResultFacts& facts, RunLog& log) {
     published_ = true;
     sync_path(fs::path(directory_).parent_path().string());
     lock_.reset();  // later changes of the manifest need it
-    remove_partial(directory_, log);
+    remove_partial(directory_, found);
 }
 
 /// The two are exchanged atomically: a result exists at every moment.
@@ -328,7 +328,7 @@ void remove_leftovers(const fs::path& result, const fs::path& folder) {
 
 }  // namespace
 
-void remove_working_files(const std::string& result, bool frames, RunLog& log) {
+void remove_working_files(const std::string& result, bool frames, Findings found) {
     const std::optional<Manifest> manifest = read_manifest(result);
     if (!manifest) return;
     std::vector<std::string> folders{k_checkpoint_folder, k_page_folder, k_record_folder, k_whole_frames, k_cut_frames},
@@ -343,8 +343,8 @@ void remove_working_files(const std::string& result, bool frames, RunLog& log) {
                 inner.insert(parent);
             fs::remove(fs::path(result) / name, error);
             if (error) {
-                log.warn(worded("{1} cannot be removed: {2}; --resume tries again",
-                                {(fs::path(result) / name).string(), error.message()}));
+                found.warn(worded("{1} cannot be removed: {2}; --resume tries again",
+                                  {(fs::path(result) / name).string(), error.message()}));
             } else {
                 removed.push_back(name);
             }
@@ -354,7 +354,7 @@ void remove_working_files(const std::string& result, bool frames, RunLog& log) {
     }
     remove_from_manifest(result, removed);
     remove_leftovers(result, result);
-    remove_partial(result, log);
+    remove_partial(result, found);
 }
 
 }  // namespace frana::app

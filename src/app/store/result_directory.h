@@ -65,7 +65,7 @@ class ResultDirectory {
     /// Lists its files in the manifest, renames it to the result's place and removes an older result. Throws
     /// Error(environment) if the result cannot be renamed or meanwhile files of the user's are in its place: then it is
     /// kept in the partial folder, for --resume.
-    void publish(const ResultFacts& facts, RunLog& log);
+    void publish(const ResultFacts& facts, Findings found);
 
   private:
     void take_over() const;
@@ -79,6 +79,6 @@ class ResultDirectory {
 /// Removes from a complete result what only an unfinished run needs: checkpoints, frames that were only made for an
 /// animation, unfinished files of killed programs, the partial folder. Files that cannot be removed remain listed, with
 /// a warning. Throws Error(environment) if the list cannot be read or written.
-void remove_working_files(const std::string& result, bool frames, RunLog& log);
+void remove_working_files(const std::string& result, bool frames, Findings found);
 
 }  // namespace frana::app

@@ -14,7 +14,7 @@ void RunLog::note(const std::string& text) {
     lines_.push_back(stamp + text);
 }
 
-void RunLog::tell(const Warnings& warnings) {
+const Warnings& RunLog::tell(const Warnings& warnings) {
     for (const std::string& text : texts_of(warnings)) {
         note("WARNING: " + text);
         if (quiet_)
@@ -22,15 +22,7 @@ void RunLog::tell(const Warnings& warnings) {
         else
             std::cerr << "frana: warning: " << shown_text(text) << '\n';
     }
-}
-
-void RunLog::warn(const Warning& warning) {
-    found_.push_back(warning);
-    tell({warning});
-}
-
-void RunLog::warn_of(const Sentence& thing, const std::vector<Sentence>& warnings) {
-    for (const Sentence& warning : warnings) warn(worded("{1}: {2}", {thing, warning}));
+    return warnings;
 }
 
 void RunLog::info(const std::string& text) {

@@ -2,11 +2,9 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "app/process/terminal.h"
-#include "core/error.h"
 #include "core/words/warning.h"
 
 namespace frana::app {
@@ -17,17 +15,8 @@ class RunLog {
     explicit RunLog(bool quiet) : quiet_(quiet) {}
 
     void note(const std::string& text);
-    /// Tells a fact that the user must know before relying on the result, and keeps it until it is taken.
-    void warn(const Warning& warning);
-    void warn_all(const Warnings& warnings) {
-        for (const Warning& warning : warnings) warn(warning);
-    }
-    /// Tells what a result knows already.
-    void tell(const Warnings& warnings);
-    /// Returns what was found since the last call, for the values of a scene or a result: the log keeps texts only.
-    [[nodiscard]] Warnings take_warnings() { return std::exchange(found_, {}); }
-    /// Logs such facts about one thing: "DTM: ...".
-    void warn_of(const Sentence& thing, const std::vector<Sentence>& warnings);
+    /// Tells facts that the user must know before relying on a result, and returns them: the log keeps texts only.
+    const Warnings& tell(const Warnings& warnings);
     /// Writes a line to the terminal and the log.
     void info(const std::string& text);
 
@@ -45,20 +34,19 @@ class RunLog {
     bool quiet_;
     Stopwatch since_start_;
     std::vector<std::string> lines_, withheld_;
-    Warnings found_;
 };
 
-using frana::attempt;
+/// The warnings of a scene or a result that is being made; each is told when it is added.
+struct Findings {
+    RunLog& log;
+    Warnings& warnings;
 
-/// Returns what `work` returns, or its empty value after an Error(input), which becomes a warning: `failed` has a place
-/// for its message, "the survey could not be compared: {1}". Throws Error of other kinds.
-template <class Work>
-auto attempt(const char* failed, RunLog& log, const Work& work) {
-    const auto warn = [&](const Error& error) {
-        if (error.kind() != ErrorKind::input) throw error;
-        log.warn(worded(failed, {std::string(error.what())}));
-    };
-    return attempt(warn, work);
-}
+    void warn_all(const Warnings& more) const { warnings += log.tell(more); }
+    void warn(const Warning& warning) const { warn_all({warning}); }
+    /// Adds such facts about one thing: "DTM: ...".
+    void warn_of(const Sentence& thing, const std::vector<Sentence>& facts) const {
+        for (const Sentence& fact : facts) warn(worded("{1}: {2}", {thing, fact}));
+    }
+};
 
 }  // namespace frana::app

@@ -46,17 +46,20 @@ TEST(WarningsOfAResult, AreToldOnceAndLimitTheUseOfMaps) {
     EXPECT_EQ(texts_of(limits_of_use(all)), std::vector<std::string>{"it was cut"});
     EXPECT_EQ(texts_of(without(all, {worded("it was cut")})), std::vector<std::string>{"a number of the computation"});
     RunLog log(true);
-    log.warn(all[0]);
+    Warnings known{all[0]};
+    const Findings found{log, known};
     log.tell({all[1]});  // known to the result already
-    EXPECT_EQ(texts_of(log.take_warnings()), std::vector<std::string>{"it was cut"});
-    EXPECT_TRUE(log.take_warnings().empty());
+    found.warn(worded("it left the map"));
+    EXPECT_EQ(texts_of(known), (std::vector<std::string>{"it was cut", "it left the map"}));
+    EXPECT_EQ(log.text().find("it was cut"), std::string::npos);
+    EXPECT_NE(log.text().find("WARNING: it left the map"), std::string::npos);
     EXPECT_NE(log.text().find("WARNING: a number of the computation"), std::string::npos);
 }
 
 TEST(ReportWords, TheVerdictOnAccuracyIsInTheLanguage) {
-    EXPECT_EQ(accuracy_verdict({0.05, 2, 2, 2, {}}),
+    EXPECT_EQ(accuracy_verdict({0.05, 2, 2, 2, {}}).text(),
               "numerics.accuracy = 5 % not estimated, too few coarser levels; cells of 2 m");
-    const std::string german = accuracy_verdict(record(2.5), k_german);
+    const std::string german = accuracy_verdict(record(2.5)).in(k_german);
     EXPECT_EQ(german.find("numerics.accuracy = 2,5 % nicht eingehalten von 1 der 1 Werte: Maximale Fließtiefe ("), 0U)
         << german;
     EXPECT_NE(german.find("Zellen von 5 m"), std::string::npos) << german;
@@ -67,7 +70,7 @@ TEST(ReportWords, TheVerdictOnAccuracyIsInTheLanguage) {
 TEST(ReportWords, AValueThatDivergesHasNoBar) {
     AccuracyRecord all = record(5);
     all.levels[1].values[0].value = 11;  // 10, 11, 13.5: each change is greater than the one before
-    const std::string lines = estimate_lines(value_estimates(all)), verdict = accuracy_verdict(all);
+    const std::string lines = estimate_lines(value_estimates(all)), verdict = accuracy_verdict(all).text();
     EXPECT_NE(lines.find(", not converged; diverging"), std::string::npos) << lines;
     EXPECT_EQ(lines.find("estimated error"), std::string::npos) << lines;
     EXPECT_NE(verdict.find("Maximum depth (not converging)"), std::string::npos) << verdict;

@@ -208,17 +208,18 @@ TEST_F(Place, AnOlderResultThatCannotBeRemovedIsReported) {
     fs::rename(path("result/being_replaced.json"), path("result.partial/being_replaced.json"));
     ASSERT_EQ(::chmod(path("result.partial/frames").c_str(), 0755), 0);
     app::RunLog log(true);
+    Warnings warnings;
     {
         const AsNobody nobody;
         if (!nobody.is()) GTEST_SKIP() << "only root can change the user";
-        app::remove_partial(path("result"), log);
+        app::remove_partial(path("result"), {log, warnings});
     }
-    const std::vector<std::string> told = texts_of(log.take_warnings());
+    const std::vector<std::string> told = texts_of(warnings);
     ASSERT_EQ(told.size(), 1U);
     EXPECT_NE(told[0].find("the rest is in " + path("result.partial")), std::string::npos) << told[0];
     for (const char* name : {"frames/depth_0000.tif", "manifest.json", "being_replaced.json"})
         EXPECT_TRUE(fs::exists(path(std::string("result.partial/") + name))) << name;
-    app::remove_partial(path("result"), log);
+    app::remove_partial(path("result"), {log, warnings});
     EXPECT_FALSE(fs::exists(path("result.partial")));
 }
 

@@ -91,13 +91,12 @@ const std::set<std::string>& shown_texts() {
     return k_texts;
 }
 
-/// Returns the arguments of the calls of RunLog::warn, and what the engine adds to warnings, that are not sentences of
-/// the tables: text put together.
+/// Returns the arguments of the calls of Findings::warn, and what the engine adds to warnings, that are not sentences
+/// of the tables: text put together.
 std::vector<std::string> other_warnings() {
     std::vector<std::string> found;
-    const std::regex call(R"(\b(?:log_?\.warn|warnings\.push_back)\(\s*([^;]*);)"),
-        sentence(
-            R"(\{?worded\([^]*|\{words, limits_use\}\)|\*?\w+\)|std::string\(error\.what\(\)\)\)|accuracy_verdict\([^]*)");
+    const std::regex call(R"(\b(?:found_?\.warn|warnings_?\.push_back)\(\s*([^;]*);)"),
+        sentence(R"(\{?worded\([^]*|\{words, limits_use\}\)|\*?\w+\)|std::string\(error\.what\(\)\)\))");
     std::vector<fs::path> sources = sources_in({"src/app"});
     sources.push_back(fs::path(FRANA_SOURCE_DIR) / "src/simulation/run_warnings.cpp");
     for (const fs::path& path : sources) {
@@ -150,7 +149,7 @@ TEST(Catalogues, AreThoseOfTheLanguages) {
 // xgettext sees one literal of an argument.
 TEST(Catalogues, TextsAreMarkedOneByOne) {
     const std::regex two(R"(\b(words_?|worded)\([^"();]*(\([^"()]*\)[^"();]*|"\w+"[^"();]*){0,3}\?\s*")");
-    EXPECT_TRUE(std::regex_search("log.warn(worded(n.size() == 1 ? \"{1} cell\" : \"{1} cells\"", two));
+    EXPECT_TRUE(std::regex_search("found.warn(worded(n.size() == 1 ? \"{1} cell\" : \"{1} cells\"", two));
     EXPECT_TRUE(std::regex_search("words(what == \"depth\" ? \"Flow depth\" : \"Flow velocity\")", two));
     for (const fs::path& path : sources_in({"src", "gis", "render"})) {
         const std::string text = read_file(path);

@@ -409,7 +409,7 @@ void read_events(StudyInput& texts, RunLog& log) {
             StudyInput one = read_study_scenes(event, std::move(table));
             one.design = std::move(design);
             problems.add(one.central.problems);
-            warn_of_changed_inputs(calibration.file, one.central, log);
+            one.warnings += log.tell(changed_inputs(calibration.file, one.central));
             texts.own.push_back(std::move(one));
         });
         problems.add(of_scene);

@@ -347,30 +347,32 @@ void settle_degree(StudyInput& input) {
                         "Choose one of these, or remove region.return-period"});
 }
 
-Prepared prepare_slope(SceneReading& slope, const std::optional<Problem>& place, RunLog& log) {
+/// Makes a slope the central one.
+void prepare_slope(SceneReading slope, const std::optional<Problem>& place, RunLog& log, StudyInput& input) {
     slope.scene.observed = {};
     slope.scene.output.profiles.reset();
-    return prepare(slope, place, log);
+    input.base = prepare(slope, place, {log, input.warnings});
+    input.central = std::move(slope);
+}
+
+void doubt_central(StudyInput& input, RunLog& log) {
+    input.base.scene.warnings += log.tell(doubt_ground(input.central, input.base));
 }
 
 /// Prepares the largest slope that can be; one that cannot, off the DTM for example, fails alone when it runs. Throws
 /// what is wrong with the largest if none can be.
 void prepare_central(StudyInput& input, const std::optional<Problem>& place, RunLog& log) {
     try {
-        SceneReading slope = input.central;
-        input.base = prepare_slope(slope, place, log);
-        input.central = std::move(slope);
-        doubt_ground(input.central, input.base, log);
+        prepare_slope(input.central, place, log, input);
+        doubt_central(input, log);
     } catch (const Error& error) {
         if (error.kind() != ErrorKind::input || place || !input.central.problems.empty()) throw;
         for (const std::size_t member : by_size(input.slopes)) {
             if (!input.slopes[member].problem.empty()) continue;
             const auto take = [&] {
-                SceneReading slope = input.member(input.first_member(member));
-                input.base = prepare_slope(slope, std::nullopt, log);
-                input.central = std::move(slope);
+                prepare_slope(input.member(input.first_member(member)), std::nullopt, log, input);
             };
-            if (attempt(take)) return doubt_ground(input.central, input.base, log);
+            if (attempt(take)) return doubt_central(input, log);
         }
         throw;
     }

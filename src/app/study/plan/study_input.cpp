@@ -211,9 +211,9 @@ StudyInput read_study_texts(const std::string& path, StudyKind kind, const Sessi
         files.push_back({key, file});
         return file;
     });
-    warn_of_changed_inputs(
-        files, std::filesystem::path(texts.reading.study.file).parent_path().string(),
-        [&](const std::string& key) { return texts.reading.where(key); }, log);
+    const Findings found{log, texts.warnings};
+    found.warn_all(changed_inputs(files, std::filesystem::path(texts.reading.study.file).parent_path().string(),
+                                  [&](const std::string& key) { return texts.reading.where(key); }));
     if (kind == StudyKind::calibration) {
         read_events(texts, log);
         return texts;
@@ -235,8 +235,8 @@ StudyInput read_study_texts(const std::string& path, StudyKind kind, const Sessi
     }
     read_scenes(central, log.is_quiet(), texts);
     for (const std::string& doubt : texts.reading.doubts)
-        log.warn(worded("{1}: {2}", {std::filesystem::path(texts.reading.study.table).filename().string(), doubt}));
-    warn_of_changed_inputs(texts.reading.study.file, texts.central, log);
+        found.warn(worded("{1}: {2}", {std::filesystem::path(texts.reading.study.table).filename().string(), doubt}));
+    found.warn_all(changed_inputs(texts.reading.study.file, texts.central));
     return texts;
 }
 
@@ -260,8 +260,8 @@ StudyInput prepare_study(StudyInput input, const std::optional<Problem>& place, 
         prepare_region(input, place, log);
         return input;
     }
-    input.base = prepare(input.central, place, log);
-    doubt_ground(input.central, input.base, log);
+    input.base = prepare(input.central, place, {log, input.warnings});
+    input.base.scene.warnings += log.tell(doubt_ground(input.central, input.base));
     input.base.scene.time.frame_interval = 0;
     check_rare_event(input, problems);
     double all = 0;

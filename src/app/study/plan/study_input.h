@@ -32,6 +32,7 @@ struct Slope {
 struct StudyInput {
     StudyReading reading;
     SampleTable table;
+    Warnings warnings{};                      ///< that its base, once prepared, does not have, told
     SceneReading central;                     ///< the central member: medians, likeliest choices
     Prepared base;                            ///< the same, prepared
     std::vector<ReleaseArea> other_releases;  ///< of members with other files, for maps

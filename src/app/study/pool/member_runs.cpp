@@ -32,8 +32,7 @@ struct SlopeReads {
 };
 
 /// Files that members share come from memory: reading a terrain takes longer than all other preparation.
-/// @param log of its own: its warnings are the member's
-Prepared prepared_member(const StudyInput& input, const MemberTask& task, SlopeReads& last, RunLog& log) {
+Prepared prepared_member(const StudyInput& input, const MemberTask& task, SlopeReads& last, Findings found) {
     SceneReading reading = input.scene_with(task.overrides);
     if (input.reading.study.region) {
         if (const Slope& slope = input.slope_of(task.member); std::exchange(last.slope, &slope) != &slope)
@@ -46,7 +45,7 @@ Prepared prepared_member(const StudyInput& input, const MemberTask& task, SlopeR
     reading.scene.output.map_context.reset();
     reading.scene.output.exposure.reset();
     reading.scene.exposure = {};
-    Prepared prepared = prepare(reading, log);
+    Prepared prepared = prepare(reading, found);
     if (const auto filled = filled_warning(input.base.ground); filled && input.reading.study.region)
         prepared.scene.warnings.push_back(*filled);  // known of the whole alone
     // Volumes of a frequency differ from that of the scene by intent; thin_volumes() judges their unit.
@@ -85,11 +84,12 @@ bool runs_on(const StudyInput& input, const MemberTask& task, const Scene& scene
 /// Error(environment).
 std::optional<MemberRecord> run_member(const StudyInput& input, const MemberTask& task, SlopeReads& reads,
                                        const std::function<bool()>& stops) {
-    RunLog log(true);
+    RunLog silent(true);
+    Warnings found;  // before it failed
     try {
         if (!input.slopes.empty() && !input.slope_of(task.member).problem.empty())
             throw Error(ErrorKind::input, Problem{input.slope_of(task.member).problem, "", "", "", ""});
-        Prepared prepared = prepared_member(input, task, reads, log);
+        Prepared prepared = prepared_member(input, task, reads, {silent, found});
         const Scene& scene = prepared.scene;
         RunOptions options;
         options.stop_requested = stops;
@@ -123,7 +123,7 @@ std::optional<MemberRecord> run_member(const StudyInput& input, const MemberTask
         if (error.kind() == ErrorKind::environment) throw;
         MemberRecord record = empty_record(task.member, input.base.scene.grid);
         record.failure = describe(error.problems().front());
-        record.end.warnings = log.take_warnings();
+        record.end.warnings = std::move(found);
         record.key_values = values_text(task.overrides);
         return record;
     }

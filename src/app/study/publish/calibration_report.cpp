@@ -106,7 +106,7 @@ MapSource source_of(const StudyInput& input, std::size_t e, const EventRuns& run
 }  // namespace
 
 void publish_calibration_maps(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
-                              const Troubles& troubles, const ResultDirectory& directory, RunLog& log) {
+                              const Troubles& troubles, const ResultDirectory& directory, Findings found) {
     for (std::size_t e = 0; e < input.events(); ++e) {
         const Prepared& base = input.own[e].base;
         const StudyRuns drawn = drawn_runs(runs.events[e]);
@@ -118,7 +118,7 @@ void publish_calibration_maps(const StudyInput& input, const CalibrationRuns& ru
                                  {Quantity::depth, {observed_threshold(base.spec)}, {name}});
         if (base.spec.output.maps.front() == "off") continue;
         directory.make_folder("maps");
-        is_drawn("maps/" + name, log, [&] {
+        is_drawn("maps/" + name, found, [&] {
             const MapSource source = source_of(input, e, runs.events[e], result.events[e].best, window, troubles);
             const MapLayer layer = read_map_layer(directory.path(name + ".tif"), source.style.words);
             LayerDrawer drawer(source);
@@ -330,7 +330,7 @@ constexpr ChartRow<CalibrationData> k_calibration_charts[] = {
 }  // namespace
 
 void draw_calibration_charts(const StudyInput& input, const CalibrationResult& result, const ResultDirectory& directory,
-                             RunLog& log) {
+                             Findings found) {
     const SceneSpec& scene = input.own.front().base.spec;
     if (scene.output.maps.front() == "off" || !scene.output.charts) return;
     MapSource source;
@@ -338,7 +338,7 @@ void draw_calibration_charts(const StudyInput& input, const CalibrationResult& r
     source.style = calibration_style(scene);
     directory.make_folder("charts");
     draw_chart_rows(k_calibration_charts, CalibrationData{input, result}, source, directory.folder(),
-                    scene.output.report, log);
+                    scene.output.report, found);
 }
 
 void write_calibration_report(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result,

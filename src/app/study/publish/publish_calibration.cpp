@@ -396,8 +396,9 @@ StudyOutcome publish_calibration(const StudyInput& input, const CalibrationRuns&
                                  const Stopwatch& since_start, const ResultDirectory& directory, RunLog& log) {
     CalibrationResult result = calibration_result(input, runs);
     check_schemes(input, runs, threads, result);
-    for (const auto& [kind, event, key, value, sentence] : result.doubts) log.warn(sentence);
     StudyFacts facts;
+    const Findings found{log, facts.warnings};
+    for (const auto& [kind, event, key, value, sentence] : result.doubts) found.warn(sentence);
     const StudyOutcome outcome = tell_of_runs(input, runs.runs(), k_member_table, facts, log);
     facts.threads = threads;
     facts.computed = runs.computed;
@@ -406,10 +407,9 @@ StudyOutcome publish_calibration(const StudyInput& input, const CalibrationRuns&
     write_text_file(directory.path(k_member_table), members_csv(input, runs));
     write_text_file(directory.path(k_calibration_file), calibration_json(input, runs, result));
     write_best_scenes(input, result, directory);
-    publish_calibration_maps(input, runs, result, facts.troubles, directory, log);
-    draw_calibration_charts(input, result, directory, log);
+    publish_calibration_maps(input, runs, result, facts.troubles, directory, found);
+    draw_calibration_charts(input, result, directory, found);
     tell(input, runs, result, log);
-    facts.warnings += log.take_warnings();
     facts.wall_seconds = since_start.seconds();
     if (input.own.front().base.spec.output.report) write_calibration_report(input, runs, result, facts, directory);
     write_text_file(directory.path(k_summary_file), calibration_summary_json(input, runs, facts));

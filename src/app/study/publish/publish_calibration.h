@@ -65,7 +65,7 @@ StudyOutcome publish_calibration(const StudyInput& input, const CalibrationRuns&
 /// surveyed outline and the trace of the best member. A map that could not be drawn is a warning. Throws
 /// Error(environment).
 void publish_calibration_maps(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
-                              const Troubles& troubles, const ResultDirectory& directory, RunLog& log);
+                              const Troubles& troubles, const ResultDirectory& directory, Findings found);
 
 /// Writes report.html from the tables and the charts already in the directory. Throws Error(environment).
 void write_calibration_report(const StudyInput& input, const CalibrationRuns& runs, const CalibrationResult& result,
@@ -74,6 +74,6 @@ void write_calibration_report(const StudyInput& input, const CalibrationRuns& ru
 /// Draws the chart of a calibration, if the scene asks for any: the distribution of each key before and after. One that
 /// could not be drawn is a warning.
 void draw_calibration_charts(const StudyInput& input, const CalibrationResult& result, const ResultDirectory& directory,
-                             RunLog& log);
+                             Findings found);
 
 }  // namespace frana::app::study

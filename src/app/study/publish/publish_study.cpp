@@ -164,8 +164,9 @@ void choose_grid(StudyInput& input, StudyResult& result, RunLog& log) {
                                              : Bounds{std::max(part.west, file.west), std::max(part.south, file.south),
                                                       std::min(part.east, file.east), std::min(part.north, file.north)};
     RunLog silent(true);
+    Warnings unused;
     Problems problems;
-    std::optional<TerrainInput> ground = prepare_terrain(reading, silent, problems);
+    std::optional<TerrainInput> ground = prepare_terrain(reading, {silent, unused}, problems);
     problems.throw_if_any();
     input.base.scene.terrain = std::move(ground->terrain);
     input.base.scene.grid = result.grid = input.base.scene.terrain.grid;
@@ -234,27 +235,27 @@ void write_kept_members(const StudyInput& input, const StudyResult& result, cons
     }
 }
 
-bool warn_of_failures(const std::vector<MemberRecord>& runs, const std::string& table, RunLog& log) {
+bool warn_of_failures(const std::vector<MemberRecord>& runs, const std::string& table, Findings found) {
     const std::size_t failed = failed_of(runs);
     if (failed == 0) return false;
     const auto first =
         std::find_if(runs.begin(), runs.end(), [](const MemberRecord& member) { return !member.failure.empty(); });
-    log.warn(worded("{1} of {2} runs failed, first member {3}: {4}. See {5}",
-                    {std::to_string(failed), std::to_string(runs.size()), std::to_string(first->member),
-                     first->failure.c_str(), table}));
+    found.warn(worded("{1} of {2} runs failed, first member {3}: {4}. See {5}",
+                      {std::to_string(failed), std::to_string(runs.size()), std::to_string(first->member),
+                       first->failure.c_str(), table}));
     return static_cast<double>(failed) > k_most_failed * static_cast<double>(runs.size());
 }
 
-void warn_of_error(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, RunLog& log) {
+void warn_of_error(const StudyInput& input, const StudyResult& result, const StudyFacts& facts, Findings found) {
     if (const auto& rare = facts.rare_place) {
         if (rare->hits < k_least_hits)
-            log.warn(
+            found.warn(
                 worded("{3}: only {1} of {2} members, probability too low: raise study.samples",
                        {std::to_string(rare->hits), std::to_string(result.finished_at.size()), rare->event.gauge}));
     }
     const auto& until = input.reading.study.until;
     if (until && facts.error.largest() > *until)
-        log.warn(
+        found.warn(
             worded("study.until = {1} is not reached with all members: raise study.samples", {shortest_text(*until)}));
 }
 
@@ -265,14 +266,15 @@ StudyOutcome tell_of_runs(const StudyInput& input, const std::vector<MemberRecor
     StudyOutcome outcome;
     facts.troubles = troubles_of(runs, input.spec().region.has_value());
     outcome.has_troubles = facts.troubles.any();
-    for (const StudyInput* one : input.studies()) facts.warnings += one->base.scene.warnings;
-    facts.warnings += log.take_warnings();
+    Warnings known;
+    for (const StudyInput* one : input.studies()) known += one->base.scene.warnings;
+    facts.warnings = (known += input.warnings) += facts.warnings;
     if (facts.troubles.any()) {
         log.tell({headline(facts.troubles)});
         facts.warnings.insert(facts.warnings.begin(), headline(facts.troubles));
     }
-    outcome.too_many_failed = warn_of_failures(runs, table, log);
-    log.warn_all(kinds_of_warnings(runs, facts.warnings, input.spec().is_calibration() ? table : ""));
+    outcome.too_many_failed = warn_of_failures(runs, table, {log, facts.warnings});
+    facts.warnings += log.tell(kinds_of_warnings(runs, facts.warnings, input.spec().is_calibration() ? table : ""));
     return outcome;
 }
 
@@ -294,6 +296,7 @@ StudyOutcome publish_study(StudyInput& input, std::size_t members, std::size_t c
                            const Stopwatch& since_start, const ResultDirectory& directory, RunLog& log) {
     StudyResult result = read_study_result(input, directory.folder(), members);
     StudyFacts facts;
+    const Findings found{log, facts.warnings};
     const bool is_region = input.reading.study.region.has_value();
     const StudyOutcome outcome = tell_of_runs(input, result.members, k_member_table, facts, log);
     input.base.tags = {
@@ -336,7 +339,7 @@ StudyOutcome publish_study(StudyInput& input, std::size_t members, std::size_t c
             figures = sensitivities(input, result);
             publish_study_maps(input, result, directory, facts);
             facts.rare_place = rare_place_of(input, result);
-            warn_of_error(input, result, facts, log);
+            warn_of_error(input, result, facts, found);
         }
         publish_rates(input, result, directory, facts);
         write_member_outlines(input, result, directory.path(k_member_outlines));
@@ -350,12 +353,11 @@ StudyOutcome publish_study(StudyInput& input, std::size_t members, std::size_t c
     // Maps show what the summary says; what drawing adds to it comes at the end.
     write_text_file(directory.path(k_summary_file), study_summary_json(input, result, facts));
     if (!result.finished_at.empty()) {
-        draw_study(input, result, figures, directory, log);
+        draw_study(input, result, figures, directory, found);
         publish_project(directory.folder(), input.base.spec.output.title.value_or(scene_name(input.base.spec)) +
                                                 (is_region ? ", region" : ", study"));
     }
     facts.wall_seconds = since_start.seconds();
-    facts.warnings += log.take_warnings();
     if (input.base.spec.output.report) write_study_report(input, result, facts, directory);
     write_text_file(directory.path(k_summary_file), study_summary_json(input, result, facts));
     write_text_file(directory.path(k_log_file), log.text());

@@ -86,9 +86,6 @@ struct Scenario {
 /// Returns those of a region, the most frequent first.
 std::vector<Scenario> scenarios_of(const StudyInput& input);
 
-/// Warns of exposed features of which the study will say nothing.
-void warn_of_unknown_exposure(const StudyInput& input, RunLog& log);
-
 /// Writes what the members together do to the exposed features, if there are any: the greatest values of all; of
 /// distributions the probability that the feature, not only one of its cells, is reached and exceeds each threshold; of
 /// slopes how many reach it, which is the worst, and in each scenario the class of intensity and the greatest values,
@@ -126,7 +123,7 @@ void write_member(const StudyInput& input, std::size_t member, const MemberRecor
 /// Draws the maps and charts that the scene's output.maps and output.charts ask for, with a warning of one that could
 /// not be drawn.
 void draw_study(const StudyInput& input, const StudyResult& result, const std::vector<FigureSensitivity>& figures,
-                const ResultDirectory& directory, RunLog& log);
+                const ResultDirectory& directory, Findings found);
 
 struct StudyOutcome {
     bool too_many_failed = false;
@@ -134,7 +131,7 @@ struct StudyOutcome {
 };
 
 /// Adds to the facts what the runs warn of, and tells it.
-/// @param table that has the reasons of failures
+/// @param table that has the reasons of failures  @param facts with what is doubted of the study as a whole
 StudyOutcome tell_of_runs(const StudyInput& input, const std::vector<MemberRecord>& runs, const std::string& table,
                           StudyFacts& facts, RunLog& log);
 

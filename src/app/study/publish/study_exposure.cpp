@@ -308,12 +308,6 @@ std::vector<Scenario> scenarios_of(const StudyInput& input) {
     return scenarios;
 }
 
-void warn_of_unknown_exposure(const StudyInput& input, RunLog& log) {
-    if (const auto& exposed = input.base.extra.exposure)
-        app::warn_of_unknown_exposure(*exposed, input.base.scene.grid.bounds(),
-                                      input.reading.study.region ? nullptr : &input.base.scene.terrain, log);
-}
-
 std::optional<ExposureTotals> publish_study_exposure(const StudyInput& input, const StudyResult& result,
                                                      const Bounds& map, const ResultDirectory& directory) {
     const auto& layer = input.base.extra.exposure;

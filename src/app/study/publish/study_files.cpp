@@ -339,17 +339,17 @@ void write_member(const StudyInput& input, std::size_t member, const MemberRecor
 }
 
 void draw_study(const StudyInput& input, const StudyResult& result, const std::vector<FigureSensitivity>& figures,
-                const ResultDirectory& directory, RunLog& log) {
+                const ResultDirectory& directory, Findings found) {
     const OutputSpec& output = input.base.spec.output;
     if (output.maps.front() == "off" && !output.report) return;
-    is_drawn("the pictures", log, [&] {
+    is_drawn("the pictures", found, [&] {
         const ResultReader written(directory.folder());
         MapSource source = written.map_source();
         source.title = output.title.value_or(scene_name(input.base.spec));  // the folder does not have its name yet
-        if (output.report) is_drawn(k_map_page_file, log, [&] { write_map_page(written, source); });
+        if (output.report) is_drawn(k_map_page_file, found, [&] { write_map_page(written, source); });
         if (output.maps.front() == "off") return;
         LayerDrawer drawer(source);
-        drawer.draw_at_next_scale([&](const Sentence& warning) { log.warn(warning); });
+        drawer.draw_at_next_scale([&](const Sentence& warning) { found.warn(warning); });
         if (output.report) {
             make_drawing_folder(written.path(k_page_folder));
             drawer.draw_for_page_too(written.path(k_page_folder));
@@ -357,13 +357,13 @@ void draw_study(const StudyInput& input, const StudyResult& result, const std::v
         make_drawing_folder(written.path("maps"));
         for (const std::string& name : written.drawable()) {
             if (const ResultRaster* const row = find_result_raster(name); row == nullptr || !row->with_study) continue;
-            is_drawn("maps/" + name, log,
+            is_drawn("maps/" + name, found,
                      [&] { drawer.draw(written.map_layer(name), false, written.path("maps/" + name)); });
         }
         const bool has_curves = result.rates && !input.base.scene.recording.gauges.empty();
         if (!output.charts || (input.spec().region && !has_curves)) return;  // of sources there is no distribution
         make_drawing_folder(written.path("charts"));
-        draw_chart_rows(k_charts, ChartData{input, result, figures}, source, written.directory(), output.report, log);
+        draw_chart_rows(k_charts, ChartData{input, result, figures}, source, written.directory(), output.report, found);
     });
 }
 
