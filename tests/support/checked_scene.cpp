@@ -52,4 +52,10 @@ std::vector<Problem> CheckedScene::refusal(const std::vector<std::string>& words
     return problems;
 }
 
+Outcome CheckedScene::refused(const std::vector<std::string>& words) const {
+    Outcome outcome{0, "", ""};
+    for (const Problem& problem : refusal(words)) outcome = {2, "", outcome.err + describe(problem) + '\n'};
+    return outcome;
+}
+
 }  // namespace frana::test

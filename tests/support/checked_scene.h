@@ -30,6 +30,8 @@ class CheckedScene : public TinyScene {
     /// The problems with which a command ({"run", "scene.ini", "--threads", "0"}) refuses, in the scene's folder; none:
     /// it ran.
     [[nodiscard]] std::vector<Problem> refusal(const std::vector<std::string>& words) const;
+    /// The same as the outcome that a started program would have, for refusal_of().
+    [[nodiscard]] Outcome refused(const std::vector<std::string>& words) const;
 };
 
 }  // namespace frana::test

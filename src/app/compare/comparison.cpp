@@ -316,13 +316,15 @@ std::string comparison_json(const Comparison& comparison, const ComparisonInput&
 }
 
 std::string comparison_curve_csv(const Comparison& comparison) {
-    std::string text = "threshold_m";
-    for (const auto& [name, value] : named({})) text += std::string(",") + name;
+    std::vector<std::string> cells{"threshold_m"};
+    for (const auto& [name, value] : named({})) cells.emplace_back(name);
+    std::string text = csv_line(cells);
     for (const ComparisonStatistics& statistics : comparison.curve) {
-        text += "\n" + shortest_text(statistics.threshold_m);
-        for (const auto& [name, value] : named(statistics)) text += "," + shortest_text(value);
+        cells = {shortest_text(statistics.threshold_m)};
+        for (const auto& [name, value] : named(statistics)) cells.push_back(shortest_text(value));
+        text += csv_line(cells);
     }
-    return text + "\n";
+    return text;
 }
 
 void write_comparison(const Comparison& comparison, const ComparisonInput& input, const std::string& folder) {

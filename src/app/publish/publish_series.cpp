@@ -15,23 +15,24 @@
 #include "params/keys/result_rasters.h"
 
 namespace frana::app {
+namespace {
+
+std::string line_of(std::vector<std::string> cells, std::initializer_list<double> numbers) {
+    for (const double number : numbers) cells.push_back(shortest_text(number));
+    return csv_line(cells);
+}
+
+}  // namespace
 
 std::string timeseries_csv(const std::vector<SeriesRow>& series) {
     std::string text =
-        "time_s,step,dt_s,volume_m3,volume_left_m3,max_depth_m,max_speed_ms,front_distance_m,kinetic_energy_"
-        "j,"
+        "time_s,step,dt_s,volume_m3,volume_left_m3,max_depth_m,max_speed_ms,front_distance_m,kinetic_energy_j,"
         "covered_area_m2,volume_entered_m3,volume_inflow_m3,volume_eroded_m3,volume_deposited_m3\n";
     for (const SeriesRow& row : series) {
-        text += shortest_text(row.time);
-        text += ',';
-        text += std::to_string(row.step);
-        for (const double value :
-             {row.dt, row.volume, row.volume_left, row.max_depth, row.max_speed, row.front_distance, row.kinetic_energy,
-              row.covered_area, row.volume_entered, row.volume_inflow, row.volume_eroded, row.volume_deposited}) {
-            text += ',';
-            text += shortest_text(value);
-        }
-        text += '\n';
+        text += line_of(
+            {shortest_text(row.time), std::to_string(row.step)},
+            {row.dt, row.volume, row.volume_left, row.max_depth, row.max_speed, row.front_distance, row.kinetic_energy,
+             row.covered_area, row.volume_entered, row.volume_inflow, row.volume_eroded, row.volume_deposited});
     }
     return text;
 }
@@ -60,17 +61,11 @@ std::vector<gis::NamedLine> profile_lines(const Prepared& prepared, const RunRes
     return lines;
 }
 
-void add_numbers(std::string& text, std::initializer_list<double> numbers) {
-    for (const double number : numbers) text += "," + shortest_text(number);
-}
-
 /// Returns gauges.csv: time_s,gauge,depth_m,speed_ms.
 std::string gauges_csv(const std::vector<GaugeRow>& rows, const std::vector<Gauge>& gauges) {
     std::string text = "time_s,gauge,depth_m,speed_ms\n";
     for (const GaugeRow& row : rows) {
-        text += shortest_text(row.time) + "," + csv_cell(gauges[row.gauge].name);
-        add_numbers(text, {row.depth, row.speed});
-        text += '\n';
+        text += line_of({shortest_text(row.time), gauges[row.gauge].name}, {row.depth, row.speed});
     }
     return text;
 }
@@ -79,9 +74,8 @@ std::string gauges_csv(const std::vector<GaugeRow>& rows, const std::vector<Gaug
 std::string sections_csv(const std::vector<SectionRow>& rows, const std::vector<CrossSection>& sections) {
     std::string text = "time_s,section,discharge_m3s,volume_m3,wetted_width_m,max_depth_m,max_speed_ms\n";
     for (const SectionRow& row : rows) {
-        text += shortest_text(row.time) + "," + csv_cell(sections[row.section].name);
-        add_numbers(text, {row.discharge, row.volume, row.wetted_width, row.max_depth, row.max_speed});
-        text += '\n';
+        text += line_of({shortest_text(row.time), sections[row.section].name},
+                        {row.discharge, row.volume, row.wetted_width, row.max_depth, row.max_speed});
     }
     return text;
 }
@@ -119,14 +113,14 @@ void publish_profiles(const Prepared& prepared, const RunResult& result, const R
             Feature point{{{}, {}, {station.place}},
                           {{"distance_m", station.distance}},
                           {{"name", line.name}, {"depth_direction", direction}}};
-            text += csv_cell(line.name);
-            add_numbers(text, {station.distance, station.place.x, station.place.y});
+            std::vector<std::string> cells{line.name, shortest_text(station.distance), shortest_text(station.place.x),
+                                           shortest_text(station.place.y)};
             for (const Column& column : columns) {
-                const double value = cell_value(*column.raster, station.place);
-                point.numbers[column.name] = value;
-                text += "," + (std::isnan(value) ? "" : shortest_text(value));
+                const double value = point.numbers[column.name] = cell_value(*column.raster, station.place);
+                cells.push_back(std::isnan(value) ? "" : shortest_text(value));
             }
-            text += "," + direction + '\n';
+            cells.push_back(direction);
+            text += csv_line(cells);
             points.features.push_back(std::move(point));
         }
     }

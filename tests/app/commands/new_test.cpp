@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "support/tiny_scene.h"
+#include "support/checked_scene.h"
 
 namespace frana::test {
 namespace {
 
-using New = TinyScene;
+using New = CheckedScene;
 
 TEST_F(New, ASceneOfTheSamplePassesTheCheck) {
     const std::string sample = std::string(FRANA_SOURCE_DIR) + "/sample_data/bindo/";
@@ -32,11 +32,11 @@ TEST_F(New, ASceneOfTheSamplePassesTheCheck) {
 TEST_F(New, AStudyToBeginWithUsesFiniteVolumes) {
     succeeded(frana({"new", "dtm.asc", "perimeter.geojson", "--thickness", "2", "--preset", "debris-flow", "--out",
                      "my.ini", "--study", "study.ini"}));
-    refusal_of(frana({"check", "study.ini"}), {"vary: has no key"});
+    refusal_of(refused({"check", "study.ini"}), {"vary: has no key"});
     write("study.ini", read_text(path("study.ini")) + "material.turbulence = log-uniform(300, 600)\n");
     EXPECT_NE(read_text(path("study.ini")).find("\nscheme = finite-volume\n"), std::string::npos);
     succeeded(frana({"check", "study.ini"}));
-    refusal_of(frana({"new", "dtm.asc", "perimeter.geojson", "--out", "b.ini", "--study", "study.ini"}));
+    refusal_of(refused({"new", "dtm.asc", "perimeter.geojson", "--out", "b.ini", "--study", "study.ini"}));
 }
 
 // Every line after # that a region may have is one that it accepts.
@@ -78,8 +78,8 @@ TEST_F(New, AnOpenPresetIsAskedForWithTheChoicesAndRefusedByTheCheck) {
     succeeded(frana({"new", "dtm.asc", "perimeter.geojson", "--thickness", "2", "--out", "my.ini"}));
     const std::string text = read_text(path("my.ini"));
     expect_words(text, {"\npreset =\n", "# One of bindo, debris-flow"});
-    refusal_of(frana({"check", "my.ini"}), {"my.ini: material.preset: has no value"});
-    refusal_of(frana({"new", "dtm.asc", "perimeter.geojson", "--preset", "granite", "--out", "wrong.ini"}),
+    refusal_of(refused({"check", "my.ini"}), {"my.ini: material.preset: has no value"});
+    refusal_of(refused({"new", "dtm.asc", "perimeter.geojson", "--preset", "granite", "--out", "wrong.ini"}),
                {"--preset: is not a material preset (value granite"});
 }
 
@@ -87,19 +87,19 @@ TEST_F(New, AnOpenThicknessIsAskedForAndRefusedByTheCheck) {
     succeeded(frana({"new", "dtm.asc", "perimeter.geojson", "--out", "my.ini"}));
     const std::string text = read_text(path("my.ini"));
     expect_words(text, {"\nthickness =\n", "# Is the column depth (2 to 2) the thickness in metres?"});
-    refusal_of(frana({"check", "my.ini"}), {"my.ini: release.thickness: has no value"});
+    refusal_of(refused({"check", "my.ini"}), {"my.ini: release.thickness: has no value"});
 }
 
 TEST_F(New, ReplacesNothingAndRefusesWhatDoesNotFit) {
     write("my.ini", "mine");
-    refusal_of(frana({"new", "dtm.asc", "perimeter.geojson", "--out", "my.ini"}));
+    refusal_of(refused({"new", "dtm.asc", "perimeter.geojson", "--out", "my.ini"}));
     EXPECT_EQ(read_text(path("my.ini")), "mine");
     succeeded(frana({"new", "dtm.asc", "perimeter.geojson", "--out", "my.ini", "--overwrite"}));
     write_polygon("far", {{5000, 0}, {5100, 0}, {5100, 100}});
     const Outcome far =
-        refusal_of(frana({"new", "dtm.asc", "far.geojson", "--out", "far.ini"}), {"lies outside the DTM"});
-    refusal_of(frana({"new", "dtm.asc"}));
-    refusal_of(frana({"new", "dtm.asc", "perimeter.geojson", "--thickness", "-1", "--out", "b.ini"}));
+        refusal_of(refused({"new", "dtm.asc", "far.geojson", "--out", "far.ini"}), {"lies outside the DTM"});
+    refusal_of(refused({"new", "dtm.asc"}));
+    refusal_of(refused({"new", "dtm.asc", "perimeter.geojson", "--thickness", "-1", "--out", "b.ini"}));
     EXPECT_FALSE(std::filesystem::exists(path("far.ini")) || std::filesystem::exists(path("b.ini")));
 }
 

@@ -4,18 +4,18 @@
 
 #include "gis/raster/raster_in.h"
 #include "gis/vector/vector_in.h"
-#include "support/tiny_scene.h"
+#include "support/checked_scene.h"
 
 namespace frana::test {
 namespace {
 
-class Release : public TinyScene {
+class Release : public CheckedScene {
   protected:
     [[nodiscard]] gis::PolygonLayer layer(const std::string& name = "release.gpkg") const {
         return gis::read_polygons(path(name), "", "layer");
     }
     void expect_refused(const std::vector<std::string>& more, const std::string& words) const {
-        refusal_of(frana(with_more({"release", "dtm.asc"}, more)), {words});
+        refusal_of(refused(with_more({"release", "dtm.asc"}, more)), {words});
         EXPECT_FALSE(std::filesystem::exists(path("release.gpkg"))) << words;
     }
 };
@@ -113,7 +113,8 @@ TEST_F(Release, PlausibleMistakesAreRefusedWithTheUnit) {
     write_dtm([](int, int) { return 50; }, true, "wet.asc");
     expect_refused(with("--saturation", "raster:wet.asc"), "has a value that is not plausible (value 50");
     expect_refused(with("--saturation", "raster:missing.asc"), "missing.asc");
-    refusal_of(frana({"release", "nowhere.tif", "--thickness", "1", "--least-slope", "25", "--greatest-slope", "55"}));
+    refusal_of(
+        refused({"release", "nowhere.tif", "--thickness", "1", "--least-slope", "25", "--greatest-slope", "55"}));
 }
 
 TEST_F(Release, ReplacesNothingUnasked) {

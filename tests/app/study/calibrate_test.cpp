@@ -16,7 +16,7 @@
 #include "started_program.h"
 #include "study/kept_records.h"
 #include "study/part_of_raster.h"
-#include "support/tiny_scene.h"
+#include "support/checked_scene.h"
 
 namespace frana::test {
 namespace {
@@ -28,7 +28,7 @@ const std::string k_two_keys =
 const std::string k_jaccard = "[objective]\njaccard = 1\n";
 
 /// A folder with a tiny scene and a scar, about that of a run with a friction angle of 17 degrees.
-class Calibrate : public TinyScene {
+class Calibrate : public CheckedScene {
   protected:
     Calibrate() {
         write_scene("stop-when-still = off\n" + k_numbers_only + "charts = off\n");
@@ -87,7 +87,7 @@ class Calibrate : public TinyScene {
     void expect_refused(const std::vector<std::string>& words) const {
         const auto before = files();
         for (const std::string command : {"calibrate", "check"}) {
-            const Outcome outcome = refusal_of(frana({command, "study.ini"}));
+            const Outcome outcome = refusal_of(refused({command, "study.ini"}));
             for (const std::string& one : words)
                 EXPECT_NE(outcome.err.find(one), std::string::npos) << command << ": " << one << "\n" << outcome.err;
         }
@@ -224,7 +224,7 @@ TEST_F(Calibrate, ItsPosteriorIsTheInputOfAnEnsemble) {
           {by_table + "for = all\n", "is not in the table"},
           {"for = new-slope\n[vary]\nmaterial.friction-angle = uniform(10, 26)\n", "has no effect without a table"}}) {
         study(head);
-        refusal_of(frana({"check", "ensemble.ini"}), {words});
+        refusal_of(refused({"check", "ensemble.ini"}), {words});
     }
 }
 

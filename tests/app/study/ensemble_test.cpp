@@ -152,7 +152,7 @@ TEST_F(Ensemble, AllProblemsAreReportedInOnePassAndNothingIsWritten) {
                 "release.perimeter = choice(perimeter.geojson)\n");
     const auto before = files();
     for (const std::string command : {"ensemble", "check"}) {
-        const Outcome outcome = refusal_of(frana({command, "study.ini"}));
+        const Outcome outcome = refusal_of(refused({command, "study.ini"}));
         expect_words(outcome.err,
                      {"study.samples", "study.levls: unknown key", "vary.material.friction-angle",
                       "vary.terrain.bounds", "output.formats", "numerics.accuracy", "numerics.cfll: unknown key"});
@@ -162,12 +162,12 @@ TEST_F(Ensemble, AllProblemsAreReportedInOnePassAndNothingIsWritten) {
 
 TEST_F(Ensemble, ASceneThatIsMissingIsReportedWithTheOtherProblems) {
     write("study.ini", "[study]\nscene = nowhere.ini\nsamples = 0\n" + k_two_keys);
-    refusal_of(run(), {"nowhere.ini: cannot be opened", "study.samples"});
+    expect_run_refused({"nowhere.ini: cannot be opened", "study.samples"});
 }
 
 TEST_F(Ensemble, AFileOfAChoiceThatCannotBeReadIsRefusedBefore) {
     write_study("samples = 4\n", "[vary]\nrelease.perimeter = choice(perimeter.geojson, nowhere.geojson)\n");
-    refusal_of(run(), {"nowhere.geojson"});
+    expect_run_refused({"nowhere.geojson"});
     EXPECT_FALSE(fs::exists(path("out")));
 }
 
@@ -384,7 +384,7 @@ TEST_F(Ensemble, AnExtendedStudyIsThatOfAllItsMembers) {
 TEST_F(Ensemble, WhatCannotBeExtendedIsRefusedWithTheRemedy) {
     const auto expect_refused = [&](const std::string& more, const std::string& words) {
         const auto before = files();
-        refusal_of(run({"--extend", more}), {words});
+        expect_run_refused({words}, {"--extend", more});
         EXPECT_EQ(files(), before);
     };
     write_study("samples = 8\n", k_two_keys);

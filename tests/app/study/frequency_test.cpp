@@ -270,7 +270,7 @@ TEST_F(Frequency, WithoutOneThereAreNoRatesAndVolumesMustFitTheScene) {
     succeeded(run());
     for (const std::string& name : files()) expect_no_words(name, {"annual_rate", "_T100", "hazard_curves"});
     EXPECT_FALSE(parse_json(read_text(path("out/summary.json"))).contains("frequency"));
-    const auto expect_refused = [&](const std::string& words) { refusal_of(frana({"check", "study.ini"}), {words}); };
+    const auto expect_refused = [&](const std::string& words) { refusal_of(refused({"check", "study.ini"}), {words}); };
     write_study("samples = 4\n", "[frequency]\nvolumes = 2: 20, 4: 100, 8: 400\n");
     expect_refused("not in thousands");
     write("scene.ini",
@@ -412,7 +412,7 @@ TEST_F(RegionFrequency, SameBitsForAnyNumberOfThreadsAndAfterAKill) {
 TEST_F(RegionFrequency, WhatAFrequencyNeedsIsAsked) {
     const auto expect_refused = [&](const std::string& rest, const std::string& words) {
         write_sources({{"a", "0.05", "2000: 20"}}, rest);
-        refusal_of(frana({"check", "region.ini"}), {words});
+        refusal_of(refused({"check", "region.ini"}), {words});
     };
     const std::string vary = "[vary]\nmaterial.friction-angle = uniform(12, 20)\n";
     expect_refused(vary, "needs a frequency");

@@ -77,7 +77,7 @@ TEST_F(RareStudy, RunsThatWereCutMayHaveComeThere) {
 
 TEST_F(RareStudy, WhatDoesNotGoTogetherIsRefused) {
     const auto expect_refused = [&](const std::string& words) {
-        refusal_of(run(), {words});
+        expect_run_refused({words});
         EXPECT_FALSE(fs::exists(path("out")));
     };
     write_rare("samples = 64\nsampling = importance\nrare-place = hose\n");

@@ -10,19 +10,22 @@
 #include "gis/raster/raster_in.h"
 #include "started_program.h"
 #include "study/kept_records.h"
-#include "support/tiny_scene.h"
+#include "support/checked_scene.h"
 
 namespace frana::test {
 
-class Ensemble : public TinyScene {
+class Ensemble : public CheckedScene {
   protected:
+    const std::vector<std::string> k_run{"ensemble", "study.ini", "--out", "out", "--quiet"};
+
     Ensemble() { write_scene("stop-when-still = off\n" + k_numbers_only + "charts = off\n"); }
 
     void write_study(const std::string& head, const std::string& rest) const {
         write("study.ini", "[study]\nscene = scene.ini\n" + head + rest);
     }
-    [[nodiscard]] Outcome run(const std::vector<std::string>& more = {}) const {
-        return frana(with_more({"ensemble", "study.ini", "--out", "out", "--quiet"}, more));
+    [[nodiscard]] Outcome run(const std::vector<std::string>& more = {}) const { return frana(with_more(k_run, more)); }
+    void expect_run_refused(const std::vector<std::string>& words, const std::vector<std::string>& more = {}) const {
+        refusal_of(refused(with_more(k_run, more)), words);
     }
     /// Whole ones of a study that is being built.
     [[nodiscard]] std::vector<KeptRecord> records() const {
