@@ -195,6 +195,7 @@ std::string make_comparison_folder(const std::string& folder) {
 Comparison compare_into(Simulated& simulated, const std::string& folder, Findings found) {
     Comparison comparison = compare_with_survey(simulated.input);
     found.warn_all(comparison.warnings);
+    comparison.warnings = found.warnings;
     make_comparison_folder(folder);
     begin_own(folder, comparison.statistics ? comparison_files(folder)
                                             : std::vector<std::string>{comparison_files(folder).front()});
@@ -261,6 +262,7 @@ int cmd_compare(const Options& values) {
     const Findings found{log, warnings};
     Simulated simulated = read_simulated(operand, threshold);
     if (size) simulated.source.style.size = *size;
+    found.warn_all(simulated.source.warnings);  // of the result: its scores are those of what was computed
     refuse_too_large(simulated, size ? "--size" : "output.map-size");
     simulated.input.survey = read_survey(scar, deposit, simulated.source.release, simulated.input.depth, found);
     const Comparison comparison = compare_into(simulated, pair.folder, found);

@@ -293,10 +293,13 @@ void require_kind(const std::string& file, study::StudyKind kind) {
 /// Error.
 int run_study(study::StudyKind kind, const Options& values) {
     const Stopwatch since_start;
-    const std::string file = values["operand"].as<std::string>();
+    const auto more = text_option(values, "extend");
+    const std::string operand = values["operand"].as<std::string>(),
+                      own_study = (std::filesystem::path(operand) / k_study_file).string();
+    const bool extends_result = more && std::filesystem::is_regular_file(own_study);
+    const std::string& file = extends_result ? own_study : operand;
     require_kind(file, kind);
     OtherRanks ranks;
-    const auto more = text_option(values, "extend");
     if (more && ranks.job)
         throw Error(ErrorKind::input,
                     Problem{"cannot be used under mpirun", "--extend", *more, "", "Start one process"});
@@ -316,7 +319,8 @@ int run_study(study::StudyKind kind, const Options& values) {
 
     study::StudyInput texts = study::read_study_texts(file, kind, session, log);
     const auto out = text_option(values, "out");
-    const std::string place = out.value_or(study_directory(texts.reading.study, texts.central.scene)),
+    const std::string place = out.value_or(extends_result ? operand
+                                                          : study_directory(texts.reading.study, texts.central.scene)),
                       target = result_path(place);
     if (more)
         texts = study::read_study_texts(file, kind, session, log, extended_samples(texts.reading.study, target, *more));
@@ -376,9 +380,10 @@ Command command_ensemble() {
         study_form("ensemble",
                    "Runs a scene many times with values drawn from their distributions and writes what the runs say "
                    "together:\nprobabilities, quantiles, sensitivities, with maps, charts, tables and a report.",
-                   "that of the scene, with -ensemble", "study");
-    form.options.add_options()("extend", one("N"),
-                               "add so many members to a complete study (sampling sobol or random)");
+                   "that of the scene, with -ensemble", "study", "STUDY.ini|RESULT_DIR");
+    form.options.add_options()(
+        "extend", one("N"),
+        "add so many members to a complete study, which may be named by its result (sampling sobol or random)");
     return {"ensemble", "many runs with uncertain values: probabilities, sensitivities", form,
             [](const Options& values) { return run_study(study::StudyKind::ensemble, values); }, true};
 }

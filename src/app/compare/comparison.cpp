@@ -311,6 +311,7 @@ std::string comparison_json(const Comparison& comparison, const ComparisonInput&
     if (comparison.outline) add_distance(json["outline_distance"], *comparison.outline);
     add_fronts(json, comparison);
     add_deposit(json, comparison, survey);
+    json["warnings"] = texts_of(comparison.warnings);
     json["negatives"] = "true negatives are five times the observed area minus the false alarms";
     return json_text(json);
 }

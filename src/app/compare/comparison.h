@@ -60,7 +60,7 @@ struct Comparison {
     std::vector<TipComparison> tips;
     std::optional<ComparisonStatistics> deposit_overlap;
     std::optional<DepositScores> deposit_depth;
-    Warnings warnings{};  ///< what is not compared
+    Warnings warnings{};  ///< what is not compared, and what limits the use of the result
     Raster classes;       ///< values of Agreement; no cells without a surveyed area
 };
 

@@ -185,11 +185,18 @@ std::string warning_line(const Warnings& warnings, const Words& words, std::size
     constexpr std::size_t k_least = 100;  // letters of a sentence that still says something
     if (warnings.empty()) return "";
     if (longest < k_least) return words("Warning:") + " " + k_summary_file;
-    std::string first = valid_utf8(warnings.front().words.in(words));
-    if (const std::string begin = elided(first, longest); begin != first)  // at a space
-        first = begin.substr(0, begin.rfind(' ')) + " \u2026";
-    if (warnings.size() == 1) return words("Warning:") + " " + first;
-    return words("Warning:") + " 1/" + std::to_string(warnings.size()) + ": " + first;
+    std::string text = valid_utf8(warnings.front().words.in(words));
+    if (const std::string begin = elided(text, longest); begin != text)  // at a space
+        text = begin.substr(0, begin.rfind(' ')) + " \u2026";
+    std::size_t told = 1;
+    for (; told < warnings.size(); ++told) {
+        const std::string next = "; " + valid_utf8(warnings[told].words.in(words));
+        if (text.size() + next.size() > longest) break;
+        text += next;
+    }
+    const std::string rest =
+        told == warnings.size() ? "" : " " + std::to_string(told) + "/" + std::to_string(warnings.size()) + ":";
+    return words("Warning:") + rest + " " + text;
 }
 
 RunEnd run_end(const RunResult& result) {

@@ -52,8 +52,9 @@ Sentence sentence_in(const Json& json);
 Json json_of(const Warnings& warnings);
 /// Those that stand on maps.
 Warnings warnings_in(const Json& summary);
-/// "3 warnings, the first: the flow still moves ...", for the caption of a page; empty without any.
-/// @param longest letters of the first: the sentences of most runs are whole; with few "Warning: summary.json" alone
+/// "Warning: the flow still moves ...; ...", for the caption of a page, and "2/3" if not all have room; empty without
+/// any.
+/// @param longest letters: the sentences of most runs are whole; with few "Warning: summary.json" alone
 std::string warning_line(const Warnings& warnings, const Words& words, std::size_t longest = 480);
 
 /// How a run ended. Maps, films, charts and the report say it in the same words.

@@ -161,7 +161,7 @@ void log_result(const Finished& run, Findings found) {
     const std::vector<ValueEstimate> estimates = value_estimates(*run.accuracy);
     if (!estimates.empty()) log.info("estimated errors:\n" + estimate_lines(estimates));
     const Sentence verdict = accuracy_verdict(*run.accuracy);
-    is_reached(estimates) ? log.info(verdict.text()) : found.warn(verdict);
+    is_reached(estimates) ? log.info(verdict.text()) : found.warn({verdict, true});
 }
 
 /// Writes what the flow does to the exposed features, if there are any.
@@ -203,7 +203,9 @@ std::optional<Comparison> publish_comparison(const Finished& run, const ResultDi
     };
     return attempt(warn, [&] {
         Comparison comparison = compare_with_survey(input);
+        Warnings limits = limits_of_use(found.warnings);
         found.warn_all(comparison.warnings);
+        comparison.warnings = limits += comparison.warnings;
         write_comparison(comparison, input, directory.path(""));
         const std::string headline = comparison_headline(comparison);
         if (!headline.empty()) found.log.info(headline);

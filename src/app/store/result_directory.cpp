@@ -100,8 +100,8 @@ void check_inputs(const fs::path& result, const std::vector<std::string>& inputs
     const auto would_be_replaced = [&](const std::string& place) {
         std::error_code error;
         const fs::path real = fs::weakly_canonical(place, error);
-        return !error && fs::exists(real, error) && is_inside(real, result) &&
-               real != result / k_scene_file;  // read before anything is written, and rewritten
+        return !error && fs::exists(real, error) && is_inside(real, result) && real != result / k_scene_file &&
+               real != result / k_study_file;  // read before, and rewritten
     };
     for (const std::string& input : inputs) {
         const std::vector<std::string> places = spellings(input);

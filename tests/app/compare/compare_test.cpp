@@ -38,6 +38,15 @@ TEST_F(Compare, AScarBeyondTheGridCountsAsMissed) {
     EXPECT_EQ(json_number(outcome.out, "observed_area_m2"), 200 * 150);
     EXPECT_EQ(json_number(outcome.out, "miss_m2"), 100 * 150);
     EXPECT_NE(outcome.err.find("beyond the rasters"), std::string::npos) << outcome.err;
+    EXPECT_EQ(parse_json(read_text(path("scores/comparison.json"))).at("warnings").size(), 1U);
+}
+
+TEST_F(Compare, WhatLimitsTheUseOfAResultIsToldWithItsScores) {
+    write_polygon("scar", {{20, 20}, {250, 20}, {250, 130}, {20, 130}});
+    ran();
+    const Outcome outcome = succeeded(frana({"compare", "result", "--observed", "scar.geojson", "--size", "640x480"}));
+    expect_words(outcome.err, {"the flow still moves"});
+    expect_words(read_text(path("result/comparison.json")), {"the flow still moves"});
 }
 
 // The comparison's raster has the whole outline, and so other cells than the run's.

@@ -75,8 +75,10 @@ TEST(Warnings, ComeBackFromASummaryInAnyLanguage) {
     EXPECT_EQ(warning_line({}, german), "");
     EXPECT_EQ(warning_line({warnings[3]}, german), "Warnung: a text of another program");
     EXPECT_EQ(warning_line(warnings, german, 76), "Warnung: summary.json");
-    const std::string line = warning_line(warnings, german);
-    EXPECT_EQ(line.find("Warnung: 1/4: 1.234,5 m"), 0U) << line;
+    const std::string line = warning_line(warnings, german), part = warning_line(warnings, german, 110);
+    EXPECT_EQ(line.find("Warnung: 1.234,5 m"), 0U) << line;
+    EXPECT_TRUE(line.ends_with("; a text of another program")) << line;
+    EXPECT_NE(part.find("/4: 1.234,5 m"), std::string::npos) << part;
 }
 
 }  // namespace

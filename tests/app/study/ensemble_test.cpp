@@ -365,7 +365,7 @@ TEST_F(Ensemble, AnExtendedStudyIsThatOfAllItsMembers) {
         succeeded(frana({"ensemble", "study.ini", "--out", "whole-" + sampling, "--quiet"}));
         write_study(head + "10\n", k_two_keys);
         succeeded(run({"--overwrite"}));
-        succeeded(run({"--extend", "12"}));
+        succeeded(frana({"ensemble", "out", "--extend", "12", "--quiet"}));  // named by its result
         EXPECT_EQ(members().size(), 22U);
         EXPECT_NE(read_text(path("out/log.txt")).find("computed 12 members"), std::string::npos);
         succeeded(run({"--extend", "14", "--threads", "1"}));
