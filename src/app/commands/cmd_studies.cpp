@@ -276,6 +276,12 @@ void require_same_members(const std::string& identity, const std::string& left, 
                        finished);
 }
 
+/// Returns the study of a result; of what is none itself.
+std::string study_of(const std::string& operand) {
+    const std::string own = (std::filesystem::path(operand) / k_study_file).string();
+    return std::filesystem::is_regular_file(own) ? own : operand;
+}
+
 /// Throws Error(input) for a region, or for what is none.
 void require_kind(const std::string& file, study::StudyKind kind) {
     const bool is_region = study::study_kind(file) == study::StudyKind::region;
@@ -294,10 +300,7 @@ void require_kind(const std::string& file, study::StudyKind kind) {
 int run_study(study::StudyKind kind, const Options& values) {
     const Stopwatch since_start;
     const auto more = text_option(values, "extend");
-    const std::string operand = values["operand"].as<std::string>(),
-                      own_study = (std::filesystem::path(operand) / k_study_file).string();
-    const bool extends_result = more && std::filesystem::is_regular_file(own_study);
-    const std::string& file = extends_result ? own_study : operand;
+    const std::string operand = values["operand"].as<std::string>(), file = more ? study_of(operand) : operand;
     require_kind(file, kind);
     OtherRanks ranks;
     if (more && ranks.job)
@@ -319,8 +322,8 @@ int run_study(study::StudyKind kind, const Options& values) {
 
     study::StudyInput texts = study::read_study_texts(file, kind, session, log);
     const auto out = text_option(values, "out");
-    const std::string place = out.value_or(extends_result ? operand
-                                                          : study_directory(texts.reading.study, texts.central.scene)),
+    const std::string place = out.value_or(file != operand ? operand
+                                                           : study_directory(texts.reading.study, texts.central.scene)),
                       target = result_path(place);
     if (more)
         texts = study::read_study_texts(file, kind, session, log, extended_samples(texts.reading.study, target, *more));

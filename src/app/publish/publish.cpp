@@ -160,8 +160,8 @@ void log_result(const Finished& run, Findings found) {
     if (run.accuracy == nullptr) return;
     const std::vector<ValueEstimate> estimates = value_estimates(*run.accuracy);
     if (!estimates.empty()) log.info("estimated errors:\n" + estimate_lines(estimates));
-    const Sentence verdict = accuracy_verdict(*run.accuracy);
-    is_reached(estimates) ? log.info(verdict.text()) : found.warn({verdict, true});
+    const Warning verdict(accuracy_verdict(*run.accuracy), true);
+    is_reached(estimates) ? log.info(verdict.words.text()) : found.warn(verdict);
 }
 
 /// Writes what the flow does to the exposed features, if there are any.

@@ -271,7 +271,7 @@ std::vector<Answer> answers(const ReportInput& input) {
     const bool has_energy = r.energy_error.has_value();
     found.push_back({words("How sure"), has_energy ? words("energy error") : words("volume error"),
                      number(100 * (has_energy ? *r.energy_error : std::abs(relative_volume_error(r))), 2), "%",
-                     input.errors.of.empty() ? words("no estimate") : "",
+                     input.errors.of.empty() ? words("no estimate") : "±",
                      words("cells of {1} m", {number(r.raster(RasterName::max_depth).grid.cell_size)})});
     return found;
 }
@@ -371,7 +371,7 @@ std::string answer_lines(const ReportInput& input) {
     std::string lines;
     for (const Answer& one : answers(input)) {
         std::vector<std::string> parts{one.question + ": " + one.figure + ' ' + one.value + ' ' + one.unit};
-        if (!one.error.empty())
+        if (!one.error.empty() && one.error != "±")
             parts.push_back(one.error.starts_with("±")
                                 ? one.error
                                 : input.words.labelled(input.words("± by cell size"), one.error));
