@@ -10,7 +10,7 @@
 namespace frana {
 namespace {
 
-// What lies on the cells of the nodes that appended touch.
+// What lies on the cells of the nodes that appended particles touch.
 class Columns {
   public:
     struct Column {

@@ -24,7 +24,7 @@ namespace frana {
 enum class LawKind { bed_friction, in_plane_stress, erosion, deposition, detrainment };
 
 /// The row of a law. From it follow: the words of the keys, missing and unread keys, the zones used, laws that exclude
-/// each other, the list of terms.
+/// each other, and the list of terms.
 struct Law {
     std::string sentence;                       ///< in the list of terms
     std::string yield_sentence{};               ///< the same for its yield stress, if that is a term of its own

@@ -371,7 +371,7 @@ std::string answer_lines(const ReportInput& input) {
     std::string lines;
     for (const Answer& one : answers(input)) {
         std::vector<std::string> parts{one.question + ": " + one.figure + ' ' + one.value + ' ' + one.unit};
-        if (!one.error.empty() && one.error != "±")
+        if (!one.error.empty() && one.error != "±")  // the row of a page says so of those above it
             parts.push_back(one.error.starts_with("±")
                                 ? one.error
                                 : input.words.labelled(input.words("± by cell size"), one.error));
